@@ -1,0 +1,57 @@
+# Builds, tests and measures Trocar on Debian 12. Each target first installs the Debian packages that are missing.
+# Everything that is made goes into build/.
+
+PRESET ?= release
+PYTHON := /usr/bin/python3
+# CGAL's headers take up to 2 GB to compile.
+JOBS ?= $(shell awk -v cores=$$(nproc) '/^MemAvailable/ { n = int($$2 / 2000000) } \
+    END { print n < 1 ? 1 : n < cores ? n : cores }' /proc/meminfo)
+
+sources = find common strategies experiments results analysis tests -name node_modules -prune -o \
+    \( -name '*.cpp' -o -name '*.h' \) -print0
+scripts = find cmake analysis tests -name node_modules -prune -o -name '*.py' -print0
+
+.NOTPARALLEL:
+.PHONY: help packages configure build paper figures test sanitize lint bench clean
+
+help:  ## list the targets
+	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' Makefile | expand -t 12
+	@echo "PRESET=debug (or asan, tsan) chooses another build than release; JOBS=1 uses one core."
+
+build: configure  ## build the program, build/trocar
+	cmake --build --preset $(PRESET) --parallel $(JOBS)
+
+paper: build  ## run the paper's scenes and make the table and figures of the README
+	mkdir -p build/paper
+	build/trocar run experiments/sweeps/first_light.toml -o build/paper/first_light.h5
+	build/trocar show build/paper/first_light.h5
+	$(MAKE) figures
+
+figures:  ## draw the figures of the README again, from build/paper
+	build/trocar snapshot build/paper/first_light.h5 -o build/paper/first_light.png
+
+test: build  ## build and run the tests
+	ctest --preset $(PRESET) --parallel $(JOBS) --no-tests=error
+
+sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
+	$(MAKE) test PRESET=asan TROCAR_LINK_PROGRAM=OFF
+
+lint: configure  ## check the format, the C++ and the Python; a warning is an error
+	$(sources) | xargs -0 clang-format --dry-run -Werror
+	$(scripts) | xargs -0 -r $(PYTHON) -m pyflakes
+	$(PYTHON) cmake/clang_tidy.py build/$(PRESET) --jobs $(JOBS)
+
+bench: build  ## time the cycle and its phases; results in build/bench/*.json
+	mkdir -p build/bench
+	set -e; for program in build/$(PRESET)/tests/benchmarks/*_benchmark; do \
+	    "$$program" --benchmark_out_format=json --benchmark_out=build/bench/$$(basename "$$program").json; \
+	done
+
+clean:  ## remove build/
+	rm -rf build
+
+packages:
+	@sh cmake/install_packages.sh
+
+configure: packages
+	cmake --preset $(PRESET) -DTROCAR_LINK_PROGRAM=$(or $(TROCAR_LINK_PROGRAM),ON)

@@ -1,0 +1,92 @@
+"""The command line: `/usr/bin/python3 -m trocar_analysis show|snapshot …`. Exit code 0 when done, 2 for bad
+usage or input, with one line on stderr that says what is wrong."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import sys
+
+from .errors import InputError
+
+# Where the modules that Debian packages separately come from.
+DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "matplotlib")}
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> None:
+        raise InputError(f"{message} (see {self.prog} --help)")
+
+
+def make_parser() -> argparse.ArgumentParser:
+    parser = Parser(prog="trocar", description="Looks at a result file.")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="show|snapshot")
+
+    show = commands.add_parser("show", help="a table of what the file holds")
+    show.add_argument("file", help="result file, as `trocar run` wrote it")
+    show.add_argument("--by", metavar="COLUMN,…", help="columns to group by; default: those that differ")
+    show.add_argument(
+        "--metric", action="append", metavar="NAME",
+        help="a column, or a metric: then all its columns; may be given several times",
+    )  # fmt: skip
+    style = show.add_mutually_exclusive_group()
+    style.add_argument("--csv", action="store_true", help="a tidy table in full precision")
+    style.add_argument("--markdown", action="store_true", help="a Markdown table")
+    show.set_defaults(function=run_show)
+
+    snapshot = commands.add_parser("snapshot", help="a picture of one step, strategies side by side")
+    snapshot.add_argument("file", help="result file of a run with --replay")
+    snapshot.add_argument("--case", required=True, metavar="ID", help="case id, or an unambiguous beginning")
+    snapshot.add_argument(
+        "--step", default="deepest", metavar="K", help="from 0, or -1, -2, … from the end; default: deepest"
+    )
+    snapshot.add_argument("-o", "--output", required=True, metavar="FILE", help="picture: .png or .svg")
+    snapshot.add_argument("--alone", action="store_true", help="this case only, without the other strategies")
+    snapshot.add_argument(
+        "--moment", choices=("found", "handled", "deformed"), default="handled",
+        help="before handling, after it, or after the deformation; default: handled",
+    )  # fmt: skip
+    snapshot.set_defaults(function=run_snapshot)
+    return parser
+
+
+def run_show(arguments: argparse.Namespace) -> None:
+    from .table import show
+
+    by = [name.strip() for name in arguments.by.split(",")] if arguments.by else None
+    width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
+    style = "csv" if arguments.csv else "markdown" if arguments.markdown else "text"
+    sys.stdout.write(show(arguments.file, by, arguments.metric, style, width))
+    sys.stdout.flush()
+
+
+def run_snapshot(arguments: argparse.Namespace) -> None:
+    from .snapshot import snapshot
+
+    a = arguments
+    print(snapshot(a.file, a.case, a.step, a.output, a.alone, a.moment))
+
+
+def main() -> int:
+    sys.stdout.reconfigure(errors="replace")  # a terminal that cannot show "µ" shows "?"
+    try:
+        arguments = make_parser().parse_args()
+        arguments.function(arguments)
+    except InputError as error:
+        print(f"trocar: {error}", file=sys.stderr)
+        return 2
+    except ModuleNotFoundError as error:
+        package = DEBIAN_PACKAGES.get((error.name or "").partition(".")[0])
+        if package is None:
+            raise
+        print(f"trocar: the analysis needs the Debian package {package}; install it", file=sys.stderr)
+        return 2
+    except BrokenPipeError:
+        # The reader (such as `head`) has seen enough; keep Python from complaining when it closes stdout.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,28 @@
+"""The colours and line widths that all figures share."""
+
+ORGAN = "#dd9482"  # outer surface
+ORGAN_INSIDE = "#a9584d"  # the same seen from inside
+ORGAN_SECTION = "#f6d9cf"  # cut through the organ
+ORGAN_OUTLINE = "#8a4036"
+TOOL = "#5f88ad"  # steel
+TOOL_OPACITY = 0.3
+TOOL_OUTLINE = "#274a68"
+PENETRATION = "#dc1f2a"  # organ inside the tool, in section
+FACET_IN_TOOL = "#ff6a5e"  # organ facets inside or across the tool
+DISPLACEMENT = "#161b26"
+INK = "#1d2330"  # text
+FAINT_INK = "#626a76"
+BACKGROUND = "#f4f6f8"  # of a panel
+
+OUTLINE_WIDTH = 1.1  # points
+ARROW_WIDTH = 0.9  # points
+
+# Matplotlib's settings for every figure.
+STYLE = {
+    "font.family": "sans-serif",
+    "font.sans-serif": ["DejaVu Sans"],
+    "font.size": 9,
+    "text.color": INK,
+    "savefig.facecolor": "white",
+    "svg.hashsalt": "trocar",  # the same picture gives the same file
+}

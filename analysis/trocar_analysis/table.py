@@ -1,0 +1,148 @@
+"""`show`: the groups of a result file as an aligned table, as Markdown, or as CSV."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import pandas as pd
+
+from .errors import InputError
+from .store import CONDITIONS, ResultFile
+from .summary import COLUMN, choose_figures, choose_keys, summarise, tally
+
+ABSENT = "–"
+
+
+@dataclass
+class Column:
+    """One column of the table that people read. A cell is its value and what follows it, which may be ""."""
+
+    title: tuple[str, str]  # what stands on the first and on the second line of the header
+    unit: str
+    is_text: bool
+    cells: list[tuple[str, str]]
+
+
+def show(path: str, by: list[str] | None, metrics: list[str] | None, style: str, width: int | None) -> str:
+    """The table of a result file. `style` is "text", "markdown" or "csv"; `width` is the terminal's, in
+    characters: quartiles are left out of a text table that would be wider. None: any width fits."""
+    with ResultFile(path) as results:
+        cases, units = results.cases_table(), results.units()
+    if cases.empty:
+        raise InputError(f"{path}: has no cases")
+    keys = choose_keys(cases, by)
+    figures = choose_figures(cases, metrics)
+    if not figures:
+        raise InputError(f"{path}: has none of the usual figures; name one with --metric")
+    summary = summarise(cases, keys, figures, units)
+    if style == "csv":
+        return summary.to_csv(index=False)
+    columns = lay_out(summary, keys, figures, units)
+    if style == "markdown":
+        return markdown(columns)
+    lines = aligned(columns, with_quartiles=True)
+    fits = width is None or max(map(len, lines)) <= width
+    if not fits:
+        lines = aligned(columns, with_quartiles=False)
+    what = "Median (lower–upper quartile)" if fits else "Median"
+    heading = [*overview(path, cases, keys, units), f"{what} over the complete cases.", ""]
+    return "\n".join([*heading, *lines, ""])
+
+
+def overview(path: str, cases: pd.DataFrame, keys: list[str], units: dict[str, str]) -> list[str]:
+    """What the file holds: the number of cases, how they ended, and the conditions that all of them share."""
+    failed = cases.loc[cases["status"] != "complete", "status"]
+    first = f"{path}: {len(cases)} cases, {len(cases) - len(failed)} complete"
+    if len(failed):
+        first += f", {len(failed)} failed ({tally(failed)})"
+    known = [name for name in CONDITIONS if name in cases and name not in keys]
+    shared = [name for name in known if cases[name].nunique() == 1]
+    facts = [f"{name} {number(cases[name].iloc[0])} {units.get(name, '')}".strip() for name in shared]
+    return [first, ", ".join(facts)] if facts else [first]
+
+
+def lay_out(
+    summary: pd.DataFrame, keys: list[str], figures: list[str], units: dict[str, str]
+) -> list[Column]:
+    """The summary's columns for people: keys, number of cases and of failures, then one column per figure."""
+    groups = summary[summary["metric"] == figures[0]]
+    columns = []
+    for key in keys:
+        title = "strategy" if key == "label" and "strategy" not in keys else key
+        is_text = not pd.api.types.is_numeric_dtype(groups[key])
+        cells = [(number(value), "") for value in groups[key]]
+        columns.append(Column((title, ""), units.get(key, ""), is_text, cells))
+    columns.append(Column(("cases", ""), "", False, [(str(count), "") for count in groups["cases"]]))
+    failures = zip(groups["failed"], groups["failures"])
+    cells = [(str(count), f"({how})" if how else "") for count, how in failures]
+    columns.append(Column(("failed", ""), "", False, cells))
+    for name in figures:
+        rows = summary[summary["metric"] == name]
+        unit, factor = readable_unit(units.get(name, ""), rows)
+        match = COLUMN.fullmatch(name)
+        title = (match["metric"], name.removeprefix(match["metric"])) if match else (name, "")
+        cells = [figure_cell(row, factor) for _, row in rows.iterrows()]
+        columns.append(Column(title, unit, False, cells))
+    return columns
+
+
+def readable_unit(unit: str, rows: pd.DataFrame) -> tuple[str, float]:
+    """The unit to print a column in, and the factor to it: times in ns become µs or ms."""
+    if unit != "ns":
+        return unit, 1
+    return ("ms", 1e-6) if rows["median"].max() >= 1e6 else ("µs", 1e-3)
+
+
+def figure_cell(row: pd.Series, factor: float) -> tuple[str, str]:
+    missing = f" [{row['nan']} NaN]" if row["nan"] else ""
+    if math.isnan(row["median"]):
+        return ABSENT + missing, ""
+    median, q1, q3 = (number(row[name] * factor) for name in ("median", "q1", "q3"))
+    return median + missing, "" if q1 == q3 else f"({q1}–{q3})"
+
+
+def number(value: object) -> str:
+    """Three significant digits of a fraction; whole numbers and texts as they are."""
+    if not isinstance(value, float):
+        return str(value)
+    if math.isnan(value):
+        return ABSENT
+    if value.is_integer() or abs(value) >= 1000:
+        return f"{value:.0f}"
+    return f"{value:.3g}"
+
+
+def aligned(columns: list[Column], with_quartiles: bool) -> list[str]:
+    """The table's lines. An empty line parts the groups of the first key where they have several rows."""
+    blocks = []
+    for column in columns:
+        value_width = max(len(value) for value, _ in column.cells)
+        rest_width = max(len(rest) for _, rest in column.cells) if with_quartiles else 0
+        body = [
+            pad(value, value_width, column.is_text) + (f" {rest:<{rest_width}}" if rest_width else "")
+            for value, rest in column.cells
+        ]
+        lines = [*column.title, column.unit, *body]
+        width = max(map(len, lines))
+        blocks.append([pad(line, width, column.is_text) for line in lines])
+    lines = ["  ".join(parts).rstrip() for parts in zip(*blocks)]
+    head, body = [line for line in lines[:3] if line], lines[3:]
+    first = [value for value, _ in columns[0].cells]
+    starts = [row for row in range(1, len(first)) if first[row] != first[row - 1]]
+    if len(starts) < len(first) - 1:
+        for row in reversed(starts):
+            body.insert(row, "")
+    return [*head, "─" * max(map(len, lines)), *body]
+
+
+def pad(line: str, width: int, left: bool) -> str:
+    return line.ljust(width) if left else line.rjust(width)
+
+
+def markdown(columns: list[Column]) -> str:
+    titles = ["".join(column.title) + (f", {column.unit}" if column.unit else "") for column in columns]
+    rules = ["---" if column.is_text else "---:" for column in columns]
+    rows = zip(*(column.cells for column in columns))
+    body = [[" ".join(filter(None, cell)).replace("|", "\\|") for cell in row] for row in rows]
+    return "".join("| " + " | ".join(line) + " |\n" for line in [titles, rules, *body])

@@ -1,0 +1,75 @@
+"""Runs clang-tidy on the sources of a build folder and remembers which were clean.
+
+A source is checked again when it, a header of ours that it includes, its compile command, .clang-tidy or the
+version of clang-tidy changed. Stamps of clean sources lie in build/lint/.
+"""
+
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import pathlib
+import shlex
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+STAMPS = ROOT / "build" / "lint"
+
+
+def own_headers(entry):
+    """Every file of ours that a source includes, itself among them, as the compiler reports them."""
+    command = shlex.split(entry["command"])
+    compiler = next(i for i, word in enumerate(command) if not word.endswith("ccache"))
+    end = command.index("-o")
+    answer = subprocess.run([*command[compiler:end], "-MM", entry["file"]], cwd=entry["directory"],
+                            capture_output=True, text=True)
+    if answer.returncode != 0:
+        sys.exit(answer.stderr)
+    rule = answer.stdout.replace("\\\n", " ").split(":", 1)[1]
+    files = {pathlib.Path(entry["directory"], name).resolve() for name in shlex.split(rule)}
+    return sorted(file for file in files if file.is_relative_to(ROOT))
+
+
+def stamp_of(entry, common):
+    digest = hashlib.sha256(common + entry["command"].encode())
+    for file in own_headers(entry):
+        digest.update(str(file).encode() + b"\0" + file.read_bytes())
+    return STAMPS / digest.hexdigest()
+
+
+def check(entry, build, common):
+    stamp = stamp_of(entry, common)
+    name = pathlib.Path(entry["file"]).relative_to(ROOT)
+    if stamp.exists():
+        return True
+    started = time.monotonic()
+    answer = subprocess.run(["clang-tidy", "--quiet", "-p", build, entry["file"]], capture_output=True, text=True)
+    clean = answer.returncode == 0
+    print(f"{name}: {'clean' if clean else 'not clean'} ({time.monotonic() - started:.0f} s)", flush=True)
+    if clean:
+        stamp.touch()
+    else:
+        print(answer.stdout, answer.stderr, flush=True)
+    return clean
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("build", help="folder with compile_commands.json")
+    parser.add_argument("--jobs", type=int, default=1)
+    arguments = parser.parse_args()
+
+    entries = json.loads(pathlib.Path(arguments.build, "compile_commands.json").read_text())
+    version = subprocess.run(["clang-tidy", "--version"], capture_output=True, check=True).stdout
+    common = version + (ROOT / ".clang-tidy").read_bytes()
+    STAMPS.mkdir(parents=True, exist_ok=True)
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        clean = list(pool.map(lambda entry: check(entry, arguments.build, common), entries))
+    print(f"clang-tidy: {clean.count(True)} of {len(clean)} sources are clean")
+    return 0 if all(clean) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,37 @@
+#!/bin/sh
+# Installs those packages of packages.txt that this machine lacks. When nothing is missing it asks no network.
+# Exits 2, naming the packages and the command, when it cannot install them.
+set -eu
+
+list=$(dirname "$0")/../packages.txt
+wanted=$(sed 's/#.*//' "$list")
+
+if ! command -v dpkg-query >/dev/null; then
+    echo "Trocar's Makefile installs what it needs on Debian 12, and this is not a Debian: dpkg-query is missing." >&2
+    echo "Install what packages.txt lists by your system's names, then: cmake --preset release && cmake --build --preset release" >&2
+    exit 2
+fi
+
+missing=
+for package in $wanted; do
+    status=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null) || status=unknown
+    [ "$status" = installed ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+as_root=
+[ "$(id -u)" = 0 ] || as_root=sudo
+apt="$as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300"
+
+# A package list that cannot be refreshed is no reason to stop: the one at hand may do.
+echo "Installing the Debian packages that are missing:$missing"
+if { [ -z "$as_root" ] || command -v sudo >/dev/null; } &&
+    { $apt update || true; } && $apt install -y --no-install-recommends $missing; then
+    exit 0
+fi
+
+echo >&2
+echo "These Debian packages are missing and could not be installed:$missing" >&2
+echo "Run this as root, then try again:" >&2
+echo "    apt-get update && apt-get install -y --no-install-recommends$missing" >&2
+exit 2

@@ -1,0 +1,136 @@
+#include "common/cycle/cycle.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+namespace trocar {
+namespace {
+
+/// Runs `phase` and returns how long it took, ns.
+template <typename Phase>
+std::int64_t timed(const Phase& phase) {
+    const auto start = std::chrono::steady_clock::now();
+    phase();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+void demand_finite(const Vec3& value, Index vertex, const char* what) {
+    if (value.allFinite()) return;
+    throw std::runtime_error("the strategy answered a " + std::string(what) +
+                             " that is not finite for vertex " + std::to_string(vertex));
+}
+
+/// Throws when a vertex of `entries` does not exist or is named twice.
+template <typename Entry>
+void demand_distinct_vertices(const std::vector<Entry>& entries, std::size_t vertex_count, const char* what) {
+    std::vector<Index> vertices;
+    for (const Entry& entry : entries) vertices.push_back(entry.vertex);
+    std::ranges::sort(vertices);
+    if (!vertices.empty() && (vertices.front() < 0 || vertices.back() >= static_cast<Index>(vertex_count))) {
+        throw std::runtime_error("the strategy answered a " + std::string(what) +
+                                 " for a vertex that does not exist");
+    }
+    const auto twice = std::ranges::adjacent_find(vertices);
+    if (twice == vertices.end()) return;
+    throw std::runtime_error("the strategy answered more than one " + std::string(what) + " for vertex " +
+                             std::to_string(*twice));
+}
+
+}  // namespace
+
+Cycle::Cycle(const Organ& organ, const Tool& tool, const Pose& start, const CycleSettings& cycle,
+             const SpringSettings& springs)
+    : settings_(cycle),
+      detector_(organ),
+      integrator_(surface_springs(organ, springs), springs.damping, springs.substeps),
+      organ_(organ),
+      state_{organ.rest.positions, std::vector<Vec3>(organ.rest.positions.size(), Vec3::Zero())},
+      tool_(tool, start),
+      motion_(start, start) {
+    if (!(cycle.rate > 0)) throw std::invalid_argument("the rate must be positive");
+    if (!(cycle.clearance > 0)) throw std::invalid_argument("the clearance must be positive");
+}
+
+void Cycle::move(const Pose& next) {
+    times_.move = timed([&] {
+        motion_ = ToolMotion(tool_.pose(), next);
+        tool_ = PlacedTool(tool_.tool(), next);
+    });
+}
+
+void Cycle::detect() {
+    times_.detect = timed([&] {
+        detector_.detect(state_.positions, tool_.tool(), motion_, detected_);
+        release_held();
+    });
+}
+
+void Cycle::release_held() {
+    if (settings_.release == Release::step) {
+        held_.clear();
+        return;
+    }
+    std::erase_if(held_, [&](Index vertex) {
+        return !tool_.within(state_.positions[vertex], 2 * settings_.clearance);
+    });
+}
+
+void Cycle::handle(const Handler& handler) {
+    const Contact contact{.organ = organ_,
+                          .positions = state_.positions,
+                          .velocities = state_.velocities,
+                          .tool = tool_,
+                          .motion = motion_,
+                          .collided = detected_.collided,
+                          .crossed = detected_.crossed,
+                          .near_vertices = detected_.near_vertices,
+                          .near_facets = detected_.near_facets,
+                          .clearance = settings_.clearance,
+                          .dt = settings_.dt()};
+    times_.handle = timed([&] {
+        response_.clear();
+        handler(contact, response_);
+    });
+    check_response();
+    apply_response();
+}
+
+void Cycle::check_response() const {
+    const std::size_t vertices = state_.positions.size();
+    demand_distinct_vertices(response_.displacements, vertices, "displacement");
+    demand_distinct_vertices(response_.forces, vertices, "force");
+    for (const auto& [vertex, displacement] : response_.displacements) {
+        demand_finite(displacement, vertex, "displacement");
+    }
+    for (const auto& [vertex, force] : response_.forces) demand_finite(force, vertex, "force");
+    for (const auto& [vertex, point, normal] : response_.half_spaces) {
+        if (vertex < 0 || vertex >= static_cast<Index>(vertices)) {
+            throw std::runtime_error("the strategy answered a half-space for a vertex that does not exist");
+        }
+        demand_finite(point, vertex, "half-space");
+        demand_finite(normal, vertex, "half-space");
+    }
+}
+
+void Cycle::apply_response() {
+    for (const auto& [vertex, displacement] : response_.displacements) {
+        state_.positions[vertex] += displacement;
+        held_.push_back(vertex);
+    }
+    std::ranges::sort(held_);
+    const auto repeated = std::ranges::unique(held_);
+    held_.erase(repeated.begin(), repeated.end());
+}
+
+void Cycle::deform() {
+    times_.deform = timed([&] {
+        integrator_.step(
+            state_, settings_.dt(),
+            {.kinematic = held_, .forces = response_.forces, .half_spaces = response_.half_spaces});
+    });
+}
+
+}  // namespace trocar

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "common/cycle/contact.h"
+#include "common/deformation/xpbd.h"
+#include "common/detection/detector.h"
+
+namespace trocar {
+
+/// How long a handled vertex stays kinematic (put, with infinite mass).
+enum class Release {
+    contact,  ///< in its step and for as long as it is within 2 g of the tool
+    step,     ///< in its step only: the literal reading of the paper's cycle
+};
+
+struct CycleSettings {
+    double rate = 30;         ///< steps a second, Hz
+    double clearance = 0.01;  ///< g: how far outside the tool a handled vertex is put, mm
+    Release release = Release::contact;
+
+    [[nodiscard]] double dt() const { return 1 / rate; }
+};
+
+/// Wall-clock time of each phase of one step, ns.
+struct PhaseTimes {
+    std::int64_t move = 0, detect = 0, handle = 0, deform = 0;
+    [[nodiscard]] std::int64_t cycle() const { return move + detect + handle + deform; }
+};
+
+/// Whatever answers a contact: a strategy's handle(), or a test's own function.
+using Handler = std::function<void(const Contact&, Response&)>;
+
+/// The simulation cycle (the paper's Fig. 1): move ▸ detect ▸ handle ▸ deform. The phases are called in this
+/// order, once each per step; each is timed, and nothing but the phase is inside its timing. Between phases
+/// the caller may look at everything.
+class Cycle {
+  public:
+    /// The organ at rest, the tool at `start`. Organ and tool must outlive the cycle.
+    Cycle(const Organ& organ, const Tool& tool, const Pose& start, const CycleSettings& cycle,
+          const SpringSettings& springs);
+
+    void move(const Pose& next);
+    void detect();
+    /// Throws std::runtime_error when the answer is not finite, names a vertex that does not exist, or moves
+    /// or pushes a vertex twice.
+    void handle(const Handler& handler);
+    void deform();
+
+    [[nodiscard]] std::span<const Vec3> positions() const { return state_.positions; }
+    [[nodiscard]] std::span<const Vec3> velocities() const { return state_.velocities; }
+    [[nodiscard]] const PlacedTool& tool() const { return tool_; }
+    [[nodiscard]] const ToolMotion& motion() const { return motion_; }
+    [[nodiscard]] const Detected& detected() const { return detected_; }
+    [[nodiscard]] const Response& response() const { return response_; }
+    /// Vertices that are kinematic in this step because they were handled, ascending.
+    [[nodiscard]] std::span<const Index> held() const { return held_; }
+    [[nodiscard]] const PhaseTimes& times() const { return times_; }
+
+  private:
+    void release_held();
+    void check_response() const;
+    void apply_response();
+
+    CycleSettings settings_;
+    Detector detector_;
+    XpbdIntegrator integrator_;
+    const Organ& organ_;
+    OrganState state_;
+    PlacedTool tool_;
+    ToolMotion motion_;
+    Detected detected_;
+    Response response_;
+    std::vector<Index> held_;
+    PhaseTimes times_;
+};
+
+}  // namespace trocar

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/geometry/adjacency.h"
+#include "common/geometry/surface_mesh.h"
+
+namespace trocar {
+
+/// An organ at rest: everything about it that no step changes. Shared, read-only, by all cases that use it.
+struct Organ {
+    std::string name;  ///< as it is written in results, such as "sphere@4mm"
+    SurfaceMesh rest;
+    Adjacency adjacency;
+    std::vector<Vec3> rest_normals;  ///< outer unit normal of each facet at rest
+    std::vector<double> rest_areas;  ///< area of each facet at rest, mm²
+};
+
+/// Throws std::invalid_argument when the mesh is not manifold (see Adjacency).
+Organ make_organ(std::string name, SurfaceMesh rest);
+
+}  // namespace trocar

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "common/geometry/vector.h"
+
+namespace trocar {
+
+/// Where a tool is: x_world = rotation · x_tool + position.
+struct Pose {
+    Mat3 rotation = Mat3::Identity();
+    Vec3 position = Vec3::Zero();  ///< of the tool frame's origin (its tip), mm
+
+    [[nodiscard]] Vec3 to_world(const Vec3& in_tool) const { return rotation * in_tool + position; }
+    [[nodiscard]] Vec3 direction_to_world(const Vec3& in_tool) const { return rotation * in_tool; }
+    [[nodiscard]] Vec3 direction_to_tool(const Vec3& in_world) const {
+        return rotation.transpose() * in_world;
+    }
+};
+
+/// The coordinates, in the tool's frame, at which a point is judged. Every question whose answer must be
+/// exact
+/// ("is it inside?", "does this facet cross?") is asked of these rounded coordinates, by detection and by the
+/// metrics alike: this function is the definition of both words.
+Vec3 judged_position(const Pose& tool, const Vec3& world);
+
+}  // namespace trocar

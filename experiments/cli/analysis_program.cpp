@@ -1,0 +1,72 @@
+#include "experiments/cli/analysis_program.h"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "experiments/input_error.h"
+
+namespace trocar {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Debian's own: another python3 may come first in PATH, without Debian's packages.
+constexpr const char* python = "/usr/bin/python3";
+
+bool holds_analysis(const fs::path& folder) { return fs::exists(folder / "trocar_analysis" / "__init__.py"); }
+
+/// The folder that the Python package lies in: beside an installed program, or in the tree it was built in.
+fs::path find_analysis() {
+    const fs::path program = fs::read_symlink("/proc/self/exe");
+    const fs::path installed = program.parent_path().parent_path() / "share" / "trocar" / "analysis";
+    if (holds_analysis(installed)) return installed;
+    for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
+        if (holds_analysis(folder / "analysis")) return folder / "analysis";
+    }
+    throw InputError(
+        fmt::format("the analysis (folder trocar_analysis) is neither in {} nor in a folder analysis "
+                    "above {}; build inside the source tree, or install",
+                    installed.string(), program.string()));
+}
+
+int wait_for(pid_t child) {
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR)
+            throw std::system_error(errno, std::generic_category(), "waiting for the analysis");
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+}  // namespace
+
+int run_analysis(const std::vector<std::string>& arguments) {
+    std::string path = find_analysis().string();
+    if (const char* earlier = std::getenv("PYTHONPATH"); earlier != nullptr && *earlier != '\0') {
+        path += fmt::format(":{}", earlier);
+    }
+    setenv("PYTHONPATH", path.c_str(), 1);
+
+    std::vector<std::string> command{python, "-m", "trocar_analysis"};
+    command.insert(command.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : command) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    pid_t child = 0;
+    const int error = posix_spawn(&child, python, nullptr, nullptr, argv.data(), environ);
+    if (error != 0) {
+        throw InputError(fmt::format("cannot start {} ({}): the analysis needs the package python3", python,
+                                     std::generic_category().message(error)));
+    }
+    return wait_for(child);
+}
+
+}  // namespace trocar

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include "experiments/cli/commands.h"
+#include "experiments/cli/stop_on_signal.h"
+#include "experiments/input_error.h"
+#include "experiments/run/build_info.h"
+#include "experiments/run/progress.h"
+#include "experiments/run/provenance.h"
+#include "experiments/run/run_sweep.h"
+#include "experiments/sweep/hash.h"
+
+namespace trocar {
+namespace {
+
+constexpr const char* footer =
+    "A run that was cut off goes on when it is started again: cases that are in the result file, from the "
+    "same\n"
+    "program, are not run again. A result file of another sweep is never written over.\n"
+    "Exit codes: 0 every case complete; 2 bad usage or input, nothing written; 3 a case did not complete;\n"
+    "130 interrupted (Ctrl-C), finished cases kept.\n"
+    "Example:\n"
+    "  trocar run sweep.toml -o results.h5 --jobs 2 --only speed=100 --only seed=1";
+
+struct RunOptions {
+    std::string sweep_file;
+    std::string out;
+    unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
+    std::vector<std::string> filters;
+    bool dry_run = false;
+    bool replay = false;
+};
+
+void tell_findings(const Sweep& sweep) {
+    for (const OrganChoice& organ : sweep.organs) {
+        for (const Finding& finding : organ.findings) {
+            fmt::print(stderr, "organ \"{}\": {}\n", organ.organ->name, describe(finding));
+        }
+    }
+}
+
+RunRequest make_request(const RunOptions& options, const Sweep& sweep, const Program& program) {
+    RunRequest request;
+    request.out = options.out;
+    request.header = {.created_utc = now_utc(),
+                      .generator = fmt::format("trocar {}", program_version()),
+                      .sweep_toml = sweep.text,
+                      .sweep_hash = hash_of(sweep.text)};
+    request.cases = list_cases(sweep);
+    for (const CaseInputs& inputs : request.cases) request.case_order.push_back(inputs.case_id);
+    request.cases = only(std::move(request.cases), options.filters);
+    request.jobs = options.jobs;
+    request.replay = options.replay;
+    request.build_id = build_id();
+    request.arguments = program.arguments;
+    return request;
+}
+
+void print_plan(const RunRequest& request) {
+    const std::vector<CaseInputs> pending = request.out.empty() ? request.cases : pending_cases(request);
+    std::set<std::string> pending_ids;
+    for (const CaseInputs& inputs : pending) pending_ids.insert(inputs.case_id);
+    for (const CaseInputs& inputs : request.cases) {
+        fmt::print("{}  {}, {}, {}, {}, {} mm/s, seed {}{}\n", inputs.case_id, inputs.strategy.label,
+                   inputs.organ.organ->name, inputs.tool->name, inputs.scene, inputs.speed, inputs.seed,
+                   pending_ids.contains(inputs.case_id) ? "" : "  (done)");
+    }
+    fmt::print("{} cases, {} of them to run; nothing was run\n", request.cases.size(), pending.size());
+}
+
+void print_outcome(const RunOutcome& outcome, const RunRequest& request, std::chrono::seconds wall) {
+    for (const std::string& line : outcome.failures) fmt::print(stderr, "{}\n", line);
+    std::string counts;
+    std::size_t stored = 0;
+    for (const auto& [status, count] : outcome.by_status) {
+        counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, status);
+        stored += count;
+    }
+    fmt::print("{} of {} cases: {} ({} from an earlier run, {} run in {})\n", stored, request.cases.size(),
+               counts.empty() ? "none done" : counts, outcome.kept, outcome.ran, duration_text(wall));
+    if (outcome.interrupted) fmt::print("interrupted; the same command goes on from here\n");
+    if (stored == 0) return;
+    fmt::print("result file: {}\nlook at it: trocar show {}\n", request.out.string(), request.out.string());
+}
+
+int exit_code_of(const RunOutcome& outcome) {
+    if (outcome.interrupted) return ExitCode::interrupted;
+    const bool all_complete = outcome.by_status.size() == 1 && outcome.by_status.contains("complete");
+    return all_complete ? ExitCode::done : ExitCode::case_failed;
+}
+
+int run(const RunOptions& options, const Program& program) {
+    if (options.out.empty() && !options.dry_run) {
+        throw InputError("run needs an output: -o OUT.h5");
+    }
+    const Sweep sweep = read_sweep(options.sweep_file);
+    tell_findings(sweep);
+    const RunRequest request = make_request(options, sweep, program);
+    if (options.dry_run) {
+        print_plan(request);
+        return ExitCode::done;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const StopOnSignal signals;
+    RunOutcome outcome;
+    {
+        Progress progress(stderr);
+        outcome = run_sweep(
+            request, [&](std::size_t done, std::size_t total) { progress.show(done, total); },
+            signals.token());
+    }
+    const auto wall = std::chrono::steady_clock::now() - start;
+    print_outcome(outcome, request, std::chrono::round<std::chrono::seconds>(wall));
+    return exit_code_of(outcome);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Program& program) {
+    auto options = std::make_shared<RunOptions>();
+    CLI::App* command = app.add_subcommand("run", "Run the cases of a sweep and write what they leave");
+    command->footer(footer);
+    command->add_option("SWEEP", options->sweep_file, "sweep file (TOML)")->required();
+    command->add_option("-o,--output", options->out,
+                        "result file (HDF5); goes on with one of the same sweep");
+    command->add_option("-j,--jobs", options->jobs, "cases that run at once; results do not depend on it")
+        ->check(CLI::Range(1U, 1024U))
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--only", options->filters,
+            "key=value: run these cases only. Keys: strategy (name or label), organ, tool, scene, speed, "
+            "seed. May be given several times: values of one key are alternatives")
+        ->allow_extra_args(false);
+    command->add_flag("--dry-run", options->dry_run,
+                      "check everything and list the cases; run and write nothing");
+    command->add_flag("--replay", options->replay,
+                      "store the organ at every step too (large); for snapshots");
+    command->callback([options, &program] { program.exit_code = run(*options, program); });
+}
+
+}  // namespace trocar

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace trocar {
+
+/// What the program ends with; `trocar --help` lists them.
+struct ExitCode {
+    static constexpr int done = 0;
+    static constexpr int bad_input = 2;
+    static constexpr int case_failed = 3;
+    static constexpr int interrupted = 130;  // 128 + SIGINT, as shells have it
+};
+
+/// What the subcommands share with main.
+struct Program {
+    std::vector<std::string> arguments;  ///< the command line
+    int exit_code = ExitCode::done;      ///< set by the subcommand that ran
+};
+
+// Each adds one subcommand, which runs while `app` parses. They throw InputError and StoreError. `program`
+// must outlive the parsing.
+void add_run(CLI::App& app, Program& program);
+void add_list(CLI::App& app, Program& program);
+void add_show(CLI::App& app, Program& program);
+void add_snapshot(CLI::App& app, Program& program);
+void add_check(CLI::App& app, Program& program);
+
+}  // namespace trocar

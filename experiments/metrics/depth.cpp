@@ -1,0 +1,37 @@
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "experiments/metrics/judged.h"
+#include "experiments/metrics/metric_list.h"
+
+namespace trocar::metrics {
+
+Metric depth_max() {
+    return {
+        .name = "depth_max",
+        .units = "mm",
+        .definition = "largest distance of a vertex inside the tool to its surface; 0 when none is inside",
+        .better = "low",
+        .moments = {Moment::handled, Moment::deformed},
+        .value = [](const Judged& step, Moment moment) {
+            const auto& depths = step.at(moment).depths;
+            return depths.empty() ? 0.0 : std::ranges::max(depths);
+        }};
+}
+
+Metric depth_mean() {
+    return {
+        .name = "depth_mean",
+        .units = "mm",
+        .definition = "mean distance of the vertices inside the tool to its surface; none inside: no value",
+        .better = "low",
+        .moments = {Moment::handled, Moment::deformed},
+        .value = [](const Judged& step, Moment moment) {
+            const auto& depths = step.at(moment).depths;
+            if (depths.empty()) return std::numeric_limits<double>::quiet_NaN();
+            return std::accumulate(depths.begin(), depths.end(), 0.0) / static_cast<double>(depths.size());
+        }};
+}
+
+}  // namespace trocar::metrics

@@ -1,0 +1,17 @@
+#include "experiments/metrics/judged.h"
+#include "experiments/metrics/metric_list.h"
+
+namespace trocar::metrics {
+
+Metric facets_crossing() {
+    return {.name = "facets_crossing",
+            .units = "1",
+            .definition = "organ facets that cross the tool's surface, by exact orientation signs",
+            .better = "low",
+            .moments = {Moment::handled, Moment::deformed},
+            .value = [](const Judged& step, Moment moment) {
+                return static_cast<double>(step.at(moment).facets_crossing);
+            }};
+}
+
+}  // namespace trocar::metrics

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "experiments/metrics/metric.h"
+
+/// One function per metric; each is defined in the file of its name. A new metric is a file, a line here and
+/// a line in metric.cpp.
+namespace trocar::metrics {
+
+Metric collided_vertices();
+Metric vertices_inside();
+Metric depth_max();
+Metric depth_mean();
+Metric facets_crossing();
+Metric displacement_mean();
+Metric displacement_max();
+Metric flipped_facets();
+Metric fallbacks();
+
+}  // namespace trocar::metrics

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace trocar {
+
+/// A finished case and the file that holds it.
+struct DoneCase {
+    std::filesystem::path file;
+    std::string build_id;
+    std::string status;
+    bool has_replay = false;
+};
+
+/// Finished cases by their case_id.
+using DoneCases = std::map<std::string, DoneCase>;
+
+/// The folder beside `out` in which cases lie one by one until they are merged: "<out>.parts".
+std::filesystem::path parts_folder_of(const std::filesystem::path& out);
+
+/// What an earlier run of the same sweep left in `out` and in its parts folder; a part replaces the same case
+/// of `out`. Changes nothing. Throws InputError when `out` exists and is no result file, and when `out` or a
+/// part is of another sweep: neither may be written over.
+DoneCases find_done_cases(const std::filesystem::path& out, const std::string& sweep_hash);
+
+}  // namespace trocar

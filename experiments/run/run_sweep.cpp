@@ -1,0 +1,113 @@
+#include "experiments/run/run_sweep.h"
+
+#include <algorithm>
+#include <iterator>
+#include <mutex>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "experiments/run/case_pool.h"
+#include "experiments/run/done_cases.h"
+#include "experiments/run/parts_folder.h"
+#include "experiments/run/provenance.h"
+#include "experiments/run/run_case.h"
+#include "results/store.h"
+
+namespace trocar {
+namespace {
+
+bool is_done(const DoneCases& done, const CaseInputs& inputs, const RunRequest& request) {
+    const auto found = done.find(inputs.case_id);
+    return found != done.end() && found->second.build_id == request.build_id &&
+           (found->second.has_replay || !request.replay);
+}
+
+std::vector<CaseInputs> pending_of(const RunRequest& request, const DoneCases& done) {
+    std::vector<CaseInputs> pending;
+    std::ranges::copy_if(request.cases, std::back_inserter(pending),
+                         [&](const CaseInputs& inputs) { return !is_done(done, inputs, request); });
+    return pending;
+}
+
+std::string text_cell(const CaseRecord& record, std::string_view name) {
+    const auto cell = std::ranges::find(record.cells, name, &Cell::name);
+    return std::get<std::string>(cell->value);
+}
+
+std::string failure_line(const CaseInputs& inputs, const CaseRecord& record) {
+    return fmt::format("{}: {}, {}, {}, {}, {} mm/s, seed {}: {}", text_cell(record, "status"),
+                       inputs.strategy.label, inputs.organ.organ->name, inputs.tool->name, inputs.scene,
+                       inputs.speed, inputs.seed, text_cell(record, "reason"));
+}
+
+/// Writes the case as a part and books it.
+void store_case(CaseRecord& record, const RunRequest& request, const std::filesystem::path& file,
+                const std::string& start) {
+    record.build_id = request.build_id;
+    record.provenance = provenance_row(record.case_id, request.arguments, start, now_utc());
+    write_case(file, request.header, record);
+}
+
+/// Brings everything that is done into `out`, unless it is there already. A case that the sweep no longer has
+/// (its mesh file has changed) is left behind.
+void merge_done(const RunRequest& request, const DoneCases& done) {
+    std::map<std::filesystem::path, std::set<std::string>> ids_of_file;
+    std::vector<std::string> order;
+    for (const std::string& id : request.case_order) {
+        const auto found = done.find(id);
+        if (found == done.end()) continue;
+        ids_of_file[found->second.file].insert(id);
+        order.push_back(id);
+    }
+    const bool nothing_new = ids_of_file.size() == 1 && ids_of_file.begin()->first == request.out;
+    if (order.empty() || nothing_new) return;
+    std::vector<Part> parts;
+    for (const auto& [file, ids] : ids_of_file) parts.push_back({.file = file, .case_ids = ids});
+    merge(request.out, request.header, parts, order);
+}
+
+}  // namespace
+
+std::vector<CaseInputs> pending_cases(const RunRequest& request) {
+    return pending_of(request, find_done_cases(request.out, request.header.sweep_hash));
+}
+
+RunOutcome run_sweep(const RunRequest& request,
+                     const std::function<void(std::size_t, std::size_t)>& on_progress,
+                     const std::stop_token& stop) {
+    const PartsFolder parts(request.out);
+    DoneCases done = find_done_cases(request.out, request.header.sweep_hash);
+    const std::vector<CaseInputs> pending = pending_of(request, done);
+    RunOutcome outcome;
+    outcome.kept = request.cases.size() - pending.size();
+
+    std::mutex guard;  // of `done` and `outcome`, and of on_progress
+    for_each_case(pending, request.jobs, stop,
+                  [&](const CaseInputs& inputs, const std::stop_token& stop_case) {
+                      const std::string start = now_utc();
+                      std::optional<CaseRecord> record = run_case(inputs, request.replay, stop_case);
+                      if (!record) return;
+                      const std::filesystem::path file = parts.path() / (inputs.case_id + ".h5");
+                      store_case(*record, request, file, start);
+                      const std::string status = text_cell(*record, "status");
+                      const std::scoped_lock lock(guard);
+                      done[inputs.case_id] = {.file = file,
+                                              .build_id = request.build_id,
+                                              .status = status,
+                                              .has_replay = record->replay.has_value()};
+                      if (status != status_name(CaseStatus::complete))
+                          outcome.failures.push_back(failure_line(inputs, *record));
+                      on_progress(++outcome.ran, pending.size());
+                  });
+    outcome.interrupted = outcome.ran < pending.size();
+    merge_done(request, done);
+    parts.clear();
+    std::ranges::sort(outcome.failures);
+    for (const CaseInputs& inputs : request.cases) {
+        if (is_done(done, inputs, request)) ++outcome.by_status[done.at(inputs.case_id).status];
+    }
+    return outcome;
+}
+
+}  // namespace trocar

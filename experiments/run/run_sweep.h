@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "experiments/sweep/cases.h"
+#include "results/record.h"
+
+namespace trocar {
+
+struct RunRequest {
+    std::filesystem::path out;  ///< result file
+    CampaignHeader header;
+    std::vector<std::string> case_order;  ///< ids of all cases of the sweep
+    std::vector<CaseInputs> cases;        ///< those of them that are asked for
+    unsigned jobs = 1;                    ///< cases that run at once
+    bool replay = false;
+    std::string build_id;                ///< results of another build are run again
+    std::vector<std::string> arguments;  ///< the command line, for the provenance
+};
+
+/// How a sweep ended.
+struct RunOutcome {
+    std::map<std::string, std::size_t> by_status;  ///< of the cases asked for that are in the result file
+    std::vector<std::string> failures;  ///< one line for each case that ran now and did not complete
+    std::size_t kept = 0;               ///< cases that an earlier run had finished
+    std::size_t ran = 0;                ///< cases finished now
+    bool interrupted = false;           ///< `stop` was requested; unfinished cases are in no file
+};
+
+/// The cases asked for that no earlier run of this build has finished. Throws InputError (see
+/// find_done_cases).
+std::vector<CaseInputs> pending_cases(const RunRequest& request);
+
+/// Runs the pending cases, `jobs` at once. Each finished case is written at once as a file of its own; at the
+/// end, and when `stop` is requested, all are merged into `out`, in the sweep's order, whatever the order
+/// they finished in. `on_progress` is called after each case, by one thread at a time, with the number of
+/// cases done and of all that were pending. Throws InputError, before anything runs, when `out` cannot be
+/// written or holds something else, and StoreError when writing fails: finished cases then stay in the parts
+/// folder, where the next run finds them.
+RunOutcome run_sweep(const RunRequest& request,
+                     const std::function<void(std::size_t, std::size_t)>& on_progress,
+                     const std::stop_token& stop);
+
+}  // namespace trocar

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "common/geometry/organ.h"
+#include "common/geometry/surface_queries.h"
+#include "common/tool/tool.h"
+
+namespace trocar {
+
+/// What a scene is laid out from. Nothing of a strategy is in it.
+struct SceneInputs {
+    const Organ& organ;
+    const SurfaceQueries& organ_queries;  ///< of the organ at rest
+    const Tool& tool;
+    double speed;  ///< mm/s
+    double dt;     ///< s
+    std::uint64_t seed;
+};
+
+/// Where a seed put the tool.
+struct Placement {
+    Vec3 entry;    ///< point of the organ at rest, mm
+    Vec3 normal;   ///< unit: mean outer normal within two tool radii of the entry point
+    Vec3 tangent;  ///< unit, orthogonal to the normal
+    double phase;  ///< in [0, 1): how much of a full step the first step is
+};
+
+/// A scene laid out: where the tool is at the end of every step.
+struct ScenePlan {
+    Placement placement;
+    Pose start;
+    std::vector<Pose> poses;   ///< at the end of each step
+    std::vector<bool> window;  ///< per step: the tool at its pose meets the organ at rest, so the step counts
+};
+
+/// The seed leads to no place that the scene allows on this organ.
+struct PlacementError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct SceneEntry {
+    std::string name;
+    std::string summary;                    ///< one line
+    ScenePlan (*plan)(const SceneInputs&);  ///< throws PlacementError
+};
+
+/// Every scene of this build, in the order in which they are listed to users.
+const std::vector<SceneEntry>& all_scenes();
+
+/// Throws std::invalid_argument, naming the nearest right name, when there is none of that name.
+const SceneEntry& find_scene(std::string_view name);
+
+}  // namespace trocar

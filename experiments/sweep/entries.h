@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "experiments/sweep/config.h"
+#include "experiments/sweep/sweep.h"
+
+namespace trocar {
+
+// What the lists of a sweep hold, and its two tables of settings. All throw PlacedError.
+
+/// A strategy's name, or a table of `name`, perhaps `label`, and the strategy's own options.
+StrategyChoice read_strategy_entry(const ConfigValue& entry);
+
+/// A formula such as "sphere@4mm", or a table of `file` (relative to `folder`) and perhaps `size` in mm.
+/// Throws MeshError for a file that cannot be used.
+OrganChoice read_organ_entry(const ConfigValue& entry, const std::filesystem::path& folder);
+
+/// A tool's name, or a table of `shape` and that shape's parameters.
+std::shared_ptr<const Tool> read_tool_entry(const ConfigValue& entry);
+
+CycleSettings read_cycle(const ConfigTable& table);
+SpringSettings read_springs(const ConfigTable& table);
+
+}  // namespace trocar

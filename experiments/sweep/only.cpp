@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "common/nearest_name.h"
+#include "experiments/input_error.h"
+#include "experiments/sweep/cases.h"
+
+namespace trocar {
+namespace {
+
+const std::array<std::string, 6> filter_keys{"strategy", "organ", "tool", "scene", "speed", "seed"};
+
+/// What a filter of that key is compared with.
+std::vector<std::string> values_of(const CaseInputs& inputs, std::string_view key) {
+    if (key == "strategy") return {inputs.strategy.name, inputs.strategy.label};
+    if (key == "organ") return {inputs.organ.organ->name};
+    if (key == "tool") return {inputs.tool->name};
+    if (key == "scene") return {inputs.scene};
+    if (key == "speed") return {fmt::format("{}", inputs.speed)};
+    return {fmt::format("{}", inputs.seed)};
+}
+
+using Filters = std::map<std::string, std::vector<std::string>>;  // key → the values allowed
+
+Filters parsed(std::span<const std::string> texts) {
+    Filters filters;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos) {
+            throw InputError(fmt::format("--only {}: expected key=value, such as speed=100", text));
+        }
+        const std::string key = text.substr(0, equals);
+        if (std::ranges::find(filter_keys, key) == filter_keys.end()) {
+            throw InputError(fmt::format("--only {}: {}", text, unknown_name("key", key, filter_keys)));
+        }
+        filters[key].push_back(text.substr(equals + 1));
+    }
+    return filters;
+}
+
+void check_value_exists(const std::vector<CaseInputs>& cases, const std::string& key,
+                        const std::string& value) {
+    std::set<std::string> known;
+    for (const CaseInputs& inputs : cases) {
+        for (std::string& one : values_of(inputs, key)) known.insert(std::move(one));
+    }
+    if (known.contains(value)) return;
+    const std::vector<std::string> names(known.begin(), known.end());
+    throw InputError(fmt::format("--only {}={}: {}", key, value, unknown_name(key, value, names)));
+}
+
+}  // namespace
+
+std::vector<CaseInputs> only(std::vector<CaseInputs> cases, std::span<const std::string> filters) {
+    for (const auto& [key, allowed] : parsed(filters)) {
+        for (const std::string& value : allowed) check_value_exists(cases, key, value);
+        std::erase_if(cases, [&](const CaseInputs& inputs) {
+            return std::ranges::none_of(values_of(inputs, key), [&](const std::string& value) {
+                return std::ranges::find(allowed, value) != allowed.end();
+            });
+        });
+    }
+    return cases;
+}
+
+}  // namespace trocar

@@ -1,0 +1,68 @@
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "common/nearest_name.h"
+#include "experiments/sweep/entries.h"
+
+namespace trocar {
+namespace {
+
+struct NumberKey {
+    std::string name;
+    double* target;
+};
+
+void read_positive(const ConfigTable& table, const NumberKey& key) {
+    if (const ConfigValue* value = find(table, key.name)) *key.target = as_positive(*value, key.name);
+}
+
+void read_not_negative(const ConfigTable& table, const NumberKey& key) {
+    const ConfigValue* value = find(table, key.name);
+    if (value == nullptr) return;
+    *key.target = as_number(*value, key.name);
+    if (*key.target < 0) throw PlacedError(value->place, fmt::format("{} must not be negative", key.name));
+}
+
+Release read_release(const ConfigValue& value) {
+    static const std::array<std::string, 2> words{"contact", "step"};
+    const std::string& word = as_text(value, "release");
+    if (word == words[0]) return Release::contact;
+    if (word == words[1]) return Release::step;
+    throw PlacedError(value.place, unknown_name("release", word, words));
+}
+
+}  // namespace
+
+CycleSettings read_cycle(const ConfigTable& table) {
+    static const std::array<std::string, 3> keys{"rate", "clearance", "release"};
+    check_keys(table, "key of [cycle]", keys);
+    CycleSettings settings;
+    read_positive(table, {"rate", &settings.rate});
+    read_positive(table, {"clearance", &settings.clearance});
+    if (const ConfigValue* release = find(table, "release")) settings.release = read_release(*release);
+    return settings;
+}
+
+SpringSettings read_springs(const ConfigTable& table) {
+    static const std::array<std::string, 5> keys{"density", "edge_stiffness", "rest_stiffness", "damping",
+                                                 "substeps"};
+    check_keys(table, "key of [deformation]", keys);
+    SpringSettings settings;
+    read_positive(table, {"density", &settings.density});
+    read_positive(table, {"edge_stiffness", &settings.edge_stiffness});
+    read_positive(table, {"rest_stiffness", &settings.rest_stiffness});
+    read_not_negative(table, {"damping", &settings.damping});
+    if (const ConfigValue* value = find(table, "substeps")) {
+        const std::int64_t substeps = as_whole_number(*value, "substeps");
+        if (substeps < 1 || substeps > 10'000) {
+            throw PlacedError(value->place,
+                              fmt::format("substeps must be from 1 to 10000, not {}", substeps));
+        }
+        settings.substeps = static_cast<int>(substeps);
+    }
+    return settings;
+}
+
+}  // namespace trocar

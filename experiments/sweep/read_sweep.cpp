@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "experiments/input_error.h"
+#include "experiments/scenes/scene.h"
+#include "experiments/sweep/config.h"
+#include "experiments/sweep/entries.h"
+#include "experiments/sweep/hash.h"
+#include "experiments/sweep/sweep.h"
+
+namespace trocar {
+namespace {
+
+constexpr std::int64_t most_seeds = 1'000'000;
+
+const ConfigValue& needed(const ConfigTable& table, std::string_view key) {
+    const ConfigValue* value = find(table, key);
+    if (value == nullptr) throw PlacedError(Place{}, fmt::format("the key {} is missing", key));
+    return *value;
+}
+
+/// Reads every entry of the list under `key`; two entries of equal `name_of` are an error at the second one.
+template <typename Read, typename NameOf>
+auto read_list(const ConfigTable& table, std::string_view key, Read read, NameOf name_of) {
+    std::vector<decltype(read(std::declval<const ConfigValue&>()))> all;
+    for (const ConfigValue& entry : as_list(needed(table, key), key)) {
+        auto one = read(entry);
+        for (const auto& earlier : all) {
+            if (name_of(earlier) != name_of(one)) continue;
+            throw PlacedError(entry.place, fmt::format("{} lists {} twice", key, name_of(one)));
+        }
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
+std::string read_scene(const ConfigValue& entry) {
+    try {
+        return find_scene(as_text(entry, "a scene")).name;
+    } catch (const std::invalid_argument& unknown) {
+        throw PlacedError(entry.place, unknown.what());
+    }
+}
+
+std::uint64_t read_seed(const ConfigValue& entry) {
+    const std::int64_t seed = as_whole_number(entry, "a seed");
+    if (seed < 1) throw PlacedError(entry.place, fmt::format("a seed must be at least 1, not {}", seed));
+    return static_cast<std::uint64_t>(seed);
+}
+
+std::vector<std::uint64_t> read_seeds(const ConfigTable& table) {
+    const ConfigValue& value = needed(table, "seeds");
+    if (std::holds_alternative<ConfigList>(value.content)) {
+        return read_list(table, "seeds", read_seed, std::identity());
+    }
+    const std::int64_t count = as_whole_number(value, "seeds");
+    if (count < 1 || count > most_seeds) {
+        throw PlacedError(value.place, fmt::format("seeds must be from 1 to {}, not {}", most_seeds, count));
+    }
+    std::vector<std::uint64_t> seeds(static_cast<std::size_t>(count));
+    std::iota(seeds.begin(), seeds.end(), std::uint64_t{1});
+    return seeds;
+}
+
+/// A label that two entries share by default needs another message: the remedy is not to drop one of them.
+void check_labels(const ConfigTable& table, const std::vector<StrategyChoice>& strategies) {
+    const ConfigList& entries = as_list(needed(table, "strategies"), "strategies");
+    for (std::size_t i = 0; i < strategies.size(); ++i) {
+        for (std::size_t earlier = 0; earlier < i; ++earlier) {
+            const StrategyChoice &a = strategies[earlier], &b = strategies[i];
+            if (a.name == b.name && a.options == b.options) {
+                throw PlacedError(entries[i].place,
+                                  fmt::format("strategies lists {} twice with the same options", b.name));
+            }
+            if (a.label == b.label) {
+                throw PlacedError(
+                    entries[i].place,
+                    fmt::format("two strategies have the label \"{}\"; give each its own, such as "
+                                "label = \"{}, variant\"",
+                                b.label, b.name));
+            }
+        }
+    }
+}
+
+Sweep read_tables(const ConfigTable& table, std::string text, const std::filesystem::path& folder) {
+    static const std::array<std::string, 9> keys{"name",   "strategies", "organs", "tools",      "scenes",
+                                                 "speeds", "seeds",      "cycle",  "deformation"};
+    check_keys(table, "key", keys);
+    Sweep sweep;
+    sweep.text = std::move(text);
+    sweep.name = as_text(needed(table, "name"), "name");
+    const auto organ_of = [&](const ConfigValue& entry) { return read_organ_entry(entry, folder); };
+    const auto speed_of = [](const ConfigValue& entry) { return as_positive(entry, "a speed"); };
+    for (const ConfigValue& entry : as_list(needed(table, "strategies"), "strategies")) {
+        sweep.strategies.push_back(read_strategy_entry(entry));
+    }
+    check_labels(table, sweep.strategies);
+    sweep.scenes = read_list(table, "scenes", read_scene, std::identity());
+    sweep.speeds = read_list(table, "speeds", speed_of, std::identity());
+    sweep.seeds = read_seeds(table);
+    if (const ConfigValue* cycle = find(table, "cycle")) sweep.cycle = read_cycle(as_table(*cycle, "cycle"));
+    if (const ConfigValue* springs = find(table, "deformation")) {
+        sweep.springs = read_springs(as_table(*springs, "deformation"));
+    }
+    sweep.tools = read_list(table, "tools", read_tool_entry, [](const auto& tool) { return tool->name; });
+    sweep.organs =
+        read_list(table, "organs", organ_of, [](const OrganChoice& one) { return one.organ->name; });
+    return sweep;
+}
+
+}  // namespace
+
+Sweep read_sweep(const std::filesystem::path& file) {
+    std::string text = read_bytes(file);
+    try {
+        const ConfigTable table = parse_toml(text);
+        return read_tables(table, std::move(text), file.parent_path());
+    } catch (const PlacedError& error) {
+        throw InputError(
+            fmt::format("{}:{}:{}: {}", file.string(), error.place.line, error.place.column, error.what()));
+    }
+}
+
+}  // namespace trocar

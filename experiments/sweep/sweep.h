@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/cycle/cycle.h"
+#include "common/deformation/spring_network.h"
+#include "common/geometry/mesh_check.h"
+#include "common/geometry/organ.h"
+#include "common/geometry/surface_queries.h"
+#include "common/tool/tool.h"
+#include "strategies/options.h"
+
+namespace trocar {
+
+struct StrategyChoice {
+    std::string name;   ///< of the strategy
+    std::string label;  ///< as it stands in tables and figures; unique within a sweep
+    Options options;    ///< resolved: all of them, defaults included
+};
+
+struct OrganChoice {
+    /// What makes it this organ: "sphere@4mm", or the hash of a file's bytes with the size it is scaled to.
+    /// Where the file lies is not part of it.
+    std::string identity;
+    std::shared_ptr<const Organ> organ;
+    std::shared_ptr<const SurfaceQueries> queries;  ///< of `organ` at rest
+    std::vector<Finding> findings;  ///< what was mended in a mesh file, and what is worth knowing
+};
+
+/// A sweep file, read and checked: everything it names exists, is loaded once and shared. The cases are the
+/// full product of the six lists.
+struct Sweep {
+    std::string name;
+    std::string text;  ///< of the file
+    std::vector<StrategyChoice> strategies;
+    std::vector<OrganChoice> organs;
+    std::vector<std::shared_ptr<const Tool>> tools;  ///< a tool's name states its shape and parameters
+    std::vector<std::string> scenes;
+    std::vector<double> speeds;        ///< mm/s
+    std::vector<std::uint64_t> seeds;  ///< `seeds = 3` stands for 1, 2, 3
+    CycleSettings cycle;
+    SpringSettings springs;
+};
+
+/// Reads a sweep file (TOML; README.md of this folder lists the keys) and loads the organs and tools it
+/// names. Throws InputError that starts with "file:line:column: " for anything wrong in it, and one that
+/// names the mesh file for a mesh that cannot be used.
+Sweep read_sweep(const std::filesystem::path& file);
+
+}  // namespace trocar

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace trocar {
+
+/// How a case ended. Stored as this name.
+enum class CaseStatus { complete, diverged, failed, timed_out, out_of_memory, crashed };
+
+/// The name under which a status is stored: "complete", "diverged", …
+std::string_view status_name(CaseStatus status);
+
+/// A value of one row: text, a whole number or a figure. NaN stands for a figure that does not exist.
+using Value = std::variant<std::string, std::int64_t, double>;
+
+/// One column of /cases or /provenance, as one case fills it.
+struct Cell {
+    std::string name;       ///< column, such as "strategy" or "depth_max_d_max"
+    std::string units;      ///< "mm", "mm/s", "ns", "1" for numbers without unit, "" for text
+    std::string long_name;  ///< what it is, for people
+    Value value;
+};
+
+/// One value per step.
+struct Series {
+    std::string name;  ///< "<metric>" or "<metric>_<moment>"
+    std::string units;
+    std::string long_name;
+    std::vector<double> values;
+};
+
+/// A point as it is stored for replays, mm.
+using StoredPoint = std::array<float, 3>;
+
+/// What a replay needs of one step.
+struct ReplayStep {
+    std::vector<StoredPoint> found;     ///< every organ vertex before handling
+    std::vector<StoredPoint> handled;   ///< … after handling
+    std::vector<StoredPoint> deformed;  ///< … after deformation
+    std::array<float, 16> tool_pose{};  ///< 4×4 matrix, row by row: tool frame → world
+    std::vector<std::int32_t> moved;    ///< vertices that the strategy displaced
+};
+
+struct Replay {
+    std::vector<std::array<std::int32_t, 3>> facets;
+    std::vector<StoredPoint> rest_positions;
+    std::vector<StoredPoint> tool_positions;  ///< in the tool's frame
+    std::vector<std::array<std::int32_t, 3>> tool_facets;
+    std::vector<ReplayStep> steps;
+};
+
+/// Everything one finished case leaves behind.
+struct CaseRecord {
+    std::string case_id;       ///< hash of the case's inputs
+    std::string build_id;      ///< hash of the program
+    std::vector<Cell> cells;   ///< of /cases, without case_id and build_id; in the order of the columns
+    std::vector<double> time;  ///< end of each step, s
+    std::vector<Series> series;
+    std::optional<Replay> replay;
+    std::vector<Cell> provenance;  ///< one row of /provenance
+};
+
+/// What identifies a campaign: attributes of the file's root.
+struct CampaignHeader {
+    std::string created_utc;  ///< ISO 8601
+    std::string generator;    ///< program and version
+    std::string sweep_toml;   ///< the sweep file's text
+    std::string sweep_hash;
+};
+
+}  // namespace trocar

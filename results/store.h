@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "results/record.h"
+
+namespace trocar {
+
+/// Version of the layout that README.md of this folder describes.
+inline constexpr std::int64_t schema_version = 1;
+
+/// A result file that cannot be read, written or merged. The message names the file and what to do.
+struct StoreError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Writes a campaign of one case. The file appears under its final name only when it is whole: it is written
+/// beside it, synced and renamed. Throws StoreError.
+void write_case(const std::filesystem::path& file, const CampaignHeader& header, const CaseRecord& record);
+
+/// What a result file holds, without its series.
+struct Contents {
+    CampaignHeader header;
+    struct Case {
+        std::string case_id;
+        std::string build_id;
+        std::string status;
+        bool has_replay;
+    };
+    std::vector<Case> cases;
+};
+
+/// Throws StoreError when `file` is no whole result file of this schema.
+Contents read_contents(const std::filesystem::path& file);
+
+/// One file that a merge takes cases from: those of `case_ids`, or all.
+struct Part {
+    std::filesystem::path file;
+    std::set<std::string> case_ids;
+};
+
+/// Merges parts into one campaign file, atomically, with the cases in the order of `case_order` (every id in
+/// it must be in exactly one part). Columns that a part lacks are filled with NaN, "" or 0. Refuses parts
+/// whose schema or sweep differs, saying which. `out` may be one of the parts. Throws StoreError.
+void merge(const std::filesystem::path& out, const CampaignHeader& header, std::span<const Part> parts,
+           std::span<const std::string> case_order);
+
+}  // namespace trocar

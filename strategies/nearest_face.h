@@ -1,0 +1,14 @@
+#pragma once
+
+#include "strategies/registry.h"
+
+namespace trocar {
+
+/// How nearest-face moves one collided vertex (mm): along the outer normal of the tool face whose plane is
+/// nearest, to a clearance outside it. Other strategies fall back to it where they have no direction.
+Vec3 nearest_face_displacement(const Contact& contact, Index vertex);
+
+/// The strategy `nearest-face`: [30] of the paper as its section V tells it (Fig. 5).
+StrategyEntry nearest_face_entry();
+
+}  // namespace trocar

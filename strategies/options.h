@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace trocar {
+
+/// A value of an option, as it stands in a sweep file.
+using OptionValue = std::variant<bool, double, std::string>;
+
+/// Option name → value.
+using Options = std::map<std::string, OptionValue>;
+
+/// One option of a strategy. The kind of `default_value` is the option's kind.
+struct OptionSpec {
+    std::string name;
+    OptionValue default_value;
+    std::string summary;               ///< one line, with the unit of a number
+    std::vector<std::string> choices;  ///< the words allowed; for text options
+    double low = 0, high = 0;          ///< the range allowed, both ends included; for numbers
+};
+
+/// An option that does not exist or has a value that is not allowed. `option` is the name it was given under.
+struct OptionError : std::invalid_argument {
+    OptionError(std::string option_name, const std::string& message)
+        : std::invalid_argument(message), option(std::move(option_name)) {}
+    std::string option;
+};
+
+/// The defaults of `specs` with `given` laid over them. Throws OptionError, naming the nearest right word,
+/// for a name that is not in `specs`, a value of another kind, a word that is not a choice, a number out of
+/// range.
+Options resolve_options(const std::vector<OptionSpec>& specs, const Options& given);
+
+/// The value of a flag, number or word of resolved options.
+bool flag(const Options& options, const std::string& name);
+double number(const Options& options, const std::string& name);
+const std::string& word(const Options& options, const std::string& name);
+
+}  // namespace trocar

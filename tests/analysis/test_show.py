@@ -1,0 +1,155 @@
+"""`show`: figures against ones computed by hand, and what is refused."""
+
+import csv
+import io
+import math
+import unittest
+
+import h5py
+from result_file import ProgramTest, write_results
+
+
+def cases_of(label, speed, depths, **more):
+    shared = {"label": label, "speed": float(speed)} | more
+    return [shared | {"case_id": f"{label}-{speed}-{i}", "depth_max_d_max": d} for i, d in enumerate(depths)]
+
+
+class Show(ProgramTest):
+    def write(self, *groups):
+        write_results(self.file, [case for group in groups for case in group])
+
+    def tidy(self, *arguments):
+        return list(csv.DictReader(io.StringIO(self.output_of("show", self.file, "--csv", *arguments))))
+
+    def row_of(self, text, label):
+        return next(line for line in text.splitlines() if label in line.split())
+
+    def test_median_and_quartiles(self):
+        self.write(cases_of("a", 100, [1.0, 2.0, 3.0, 4.0, 100.0]))
+        (row,) = self.tidy("--metric", "depth_max_d_max")
+        figures = [float(row[name]) for name in ("median", "q1", "q3", "min", "max")]
+        self.assertEqual(figures, [3, 2, 4, 1, 100])
+        self.assertEqual((row["cases"], row["failed"], row["nan"], row["units"]), ("5", "0", "0", "mm"))
+        self.assertIn("3 (2–4)", self.output_of("show", self.file))
+
+    def test_failures_are_counted_and_not_averaged(self):
+        self.write(
+            cases_of("a", 100, [1.0, 2.0]),
+            cases_of("a", 200, [50.0], status="diverged"),
+            cases_of("b", 100, [7.0]),
+            cases_of("b", 200, [math.nan], status="timed_out"),
+            cases_of("a", 100, [99.0], status="crashed"),
+        )
+        rows = self.tidy("--by", "label", "--metric", "depth_max_d_max")
+        counts = [(row["label"], row["cases"], row["failed"]) for row in rows]
+        self.assertEqual(counts, [("a", "4", "2"), ("b", "2", "1")])
+        self.assertEqual([float(row["median"]) for row in rows], [1.5, 7])
+        self.assertEqual(rows[1]["failures"], "1 timed_out")
+        text = self.output_of("show", self.file)
+        self.assertIn("6 cases, 3 complete, 3 failed (1 diverged, 1 timed_out, 1 crashed)", text)
+        diverged = next(line for line in text.splitlines() if line.split()[:2] == ["200", "a"])
+        self.assertIn("(1 diverged)", diverged)
+        self.assertIn("–", diverged)
+        self.assertNotIn("50", diverged)
+
+    def test_nan_is_counted_and_not_averaged(self):
+        self.write(cases_of("a", 100, [math.nan, 1.0, 3.0, math.nan]), cases_of("b", 100, [math.nan]))
+        some, none = self.tidy("--metric", "depth_max_d_max")
+        self.assertEqual((some["nan"], float(some["median"])), ("2", 2.0))
+        self.assertEqual((none["nan"], none["median"]), ("1", ""))
+        text = self.output_of("show", self.file)
+        self.assertIn("2 [2 NaN]", self.row_of(text, "a"))
+        self.assertIn("– [1 NaN]", self.row_of(text, "b"))
+
+    def test_rows_are_in_the_order_of_speeds_and_of_the_file(self):
+        self.write(*(cases_of(label, speed, [1.0]) for speed in (400, 20, 100) for label in ("z", "a")))
+        found = [(row["speed"], row["label"]) for row in self.tidy("--metric", "depth_max_d_max")]
+        speeds = ("20.0", "100.0", "400.0")
+        self.assertEqual(found, [(speed, label) for speed in speeds for label in ("z", "a")])
+
+    def test_conditions_that_differ_are_not_mixed(self):
+        self.write(cases_of("a", 100, [1.0], organ="sphere"), cases_of("a", 100, [9.0], organ="liver"))
+        rows = self.tidy("--metric", "depth_max_d_max")
+        medians = [(row["organ"], float(row["median"])) for row in rows]
+        self.assertEqual(medians, [("sphere", 1), ("liver", 9)])
+
+    def test_a_metric_is_all_its_columns_and_csv_has_full_precision(self):
+        third = 1 / 3
+        self.write(cases_of("a", 100, [third]))
+        (row,) = self.tidy("--metric", "depth_max")
+        self.assertEqual((row["metric"], float(row["median"])), ("depth_max_d_max", third))
+
+    def test_times_are_shown_in_readable_units(self):
+        self.write(cases_of("a", 100, [0.0], time_handle_p50=12345.0))
+        text = self.output_of("show", self.file, "--metric", "time_handle")
+        self.assertIn("µs", text)
+        self.assertIn("12.3", self.row_of(text, "a"))
+        self.write(cases_of("a", 100, [0.0], time_handle_p50=12345678.0))
+        text = self.output_of("show", self.file, "--metric", "time_handle")
+        self.assertIn(" ms\n", text)
+        self.assertIn("12.3", self.row_of(text, "a"))
+
+    def test_a_case_without_label_shows_its_strategy(self):
+        self.write([{"case_id": "1", "strategy": "tool-facet"}])
+        self.assertIn("tool-facet", self.output_of("show", self.file))
+
+    def test_markdown(self):
+        self.write(cases_of("a|b", 100, [1.0, 2.0, 3.0]))
+        lines = self.output_of("show", self.file, "--markdown", "--metric", "depth_max").splitlines()
+        self.assertEqual(lines[0], "| speed, mm/s | strategy | cases | failed | depth_max_d_max, mm |")
+        self.assertEqual(lines[1], "| ---: | --- | ---: | ---: | ---: |")
+        self.assertEqual(lines[2:], [r"| 100 | a\|b | 3 | 0 | 2 (1.5–2.5) |"])
+
+    def test_arguments_in_the_form_that_trocar_passes_them(self):
+        self.write(cases_of("a", 100, [1.0]))
+        said = self.output_of("show", "--by=label", "--metric=depth_max", "--csv", "--", self.file)
+        self.assertIn("\na,1,0,", said)
+
+
+class Refused(ProgramTest):
+    def test_missing_file(self):
+        self.assert_refused("show", "none.h5", saying=["none.h5: no such file"])
+
+    def test_text_file(self):
+        self.file.write_text("organ")
+        self.assert_refused("show", self.file, saying=["cannot be read as an HDF5 file"])
+
+    def test_foreign_hdf5_file(self):
+        with h5py.File(self.file, "w") as file:
+            file["cases"] = [1, 2]
+        self.assert_refused("show", self.file, saying=["is no Trocar result"])
+
+    def test_other_schema(self):
+        write_results(self.file, [{"case_id": "1"}])
+        with h5py.File(self.file, "a") as file:
+            file.attrs["schema_version"] = 7
+        self.assert_refused("show", self.file, saying=["schema 7", "reads schema 1"])
+
+    def test_unfinished_file(self):
+        write_results(self.file, [{"case_id": "1"}])
+        with h5py.File(self.file, "a") as file:
+            del file.attrs["complete"]
+        self.assert_refused("show", self.file, saying=["is not whole"])
+
+    def test_columns_of_different_length(self):
+        write_results(self.file, [{"case_id": "1"}])
+        with h5py.File(self.file, "a") as file:
+            file["cases/extra"] = [1.0, 2.0]
+        self.assert_refused("show", self.file, saying=["is damaged", "differ in length"])
+
+    def test_unknown_names_with_the_nearest_right_one(self):
+        write_results(self.file, [{"case_id": "1"}])
+        self.assert_refused("show", self.file, "--by", "sped", saying=["no column 'sped'", "'speed'"])
+        self.assert_refused("show", self.file, "--metric", "depth_mux", saying=["'depth_mux'", "'depth_max'"])
+
+    def test_bad_usage(self):
+        self.assert_refused("show", saying=["file"])
+        self.assert_refused("shout", "x.h5", saying=["shout"])
+
+    def test_missing_package_is_named(self):
+        (self.folder / "h5py.py").write_text('raise ModuleNotFoundError("no h5py", name="h5py")\n')
+        self.assert_refused("show", "x.h5", saying=["python3-h5py"], path_first=self.folder)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,118 @@
+#include "experiments/sweep/cases.h"
+
+#include <functional>
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/tool/tool_shapes.h"
+#include "experiments/input_error.h"
+#include "sweep_folder.h"
+
+namespace trocar {
+namespace {
+
+using testing::HasSubstr;
+using testing::SizeIs;
+
+TEST(ListCases, IsTheFullProductInOrder) {
+    const SweepFolder folder;
+    const std::vector<CaseInputs> cases =
+        list_cases(folder.read(replaced(small_sweep, "[400]", "[100, 400]")));
+    ASSERT_THAT(cases, SizeIs(8));
+    EXPECT_EQ(cases[0].strategy.name, "nearest-face");
+    EXPECT_EQ(cases[0].seed, 1U);
+    EXPECT_EQ(cases[1].seed, 2U);
+    EXPECT_EQ(cases[2].speed, 400);
+    EXPECT_EQ(cases[4].strategy.name, "fuzzy-per-vertex");
+    std::set<std::string> ids;
+    for (const CaseInputs& inputs : cases) ids.insert(inputs.case_id);
+    EXPECT_THAT(ids, SizeIs(8));
+    EXPECT_THAT(cases[0].case_id, SizeIs(32));
+}
+
+TEST(CaseId, ChangesWithEachInput) {
+    const SweepFolder folder;
+    const CaseInputs base = list_cases(folder.read(small_sweep)).front();
+    const std::vector<std::function<void(CaseInputs&)>> changes{
+        [](CaseInputs& inputs) { inputs.strategy.name = "fuzzy-per-vertex"; },
+        [](CaseInputs& inputs) { inputs.strategy.options["feedback"] = false; },
+        [](CaseInputs& inputs) { inputs.strategy.options["feedback"] = true; },
+        [](CaseInputs& inputs) { inputs.organ.identity = "sphere@4mm"; },
+        [](CaseInputs& inputs) { inputs.tool = std::make_shared<Tool>(make_prism(6, 4.5)); },
+        [](CaseInputs& inputs) { inputs.scene = "sliding"; },
+        [](CaseInputs& inputs) { inputs.speed = 400.00000000000006; },
+        [](CaseInputs& inputs) { inputs.seed = 3; },
+        [](CaseInputs& inputs) { inputs.cycle.rate = 40; },
+        [](CaseInputs& inputs) { inputs.cycle.clearance = 0.02; },
+        [](CaseInputs& inputs) { inputs.cycle.release = Release::step; },
+        [](CaseInputs& inputs) { inputs.springs.density *= 2; },
+        [](CaseInputs& inputs) { inputs.springs.edge_stiffness *= 2; },
+        [](CaseInputs& inputs) { inputs.springs.rest_stiffness *= 2; },
+        [](CaseInputs& inputs) { inputs.springs.damping *= 2; },
+        [](CaseInputs& inputs) { inputs.springs.substeps *= 2; },
+    };
+    std::set<std::string> ids{case_id_of(base)};
+    for (const auto& change : changes) {
+        CaseInputs changed = base;
+        change(changed);
+        ids.insert(case_id_of(changed));
+    }
+    EXPECT_THAT(ids, SizeIs(changes.size() + 1));
+}
+
+TEST(CaseId, DoesNotDependOnTheLabel) {
+    const SweepFolder folder;
+    CaseInputs inputs = list_cases(folder.read(small_sweep)).front();
+    inputs.strategy.label = "another";
+    EXPECT_EQ(case_id_of(inputs), inputs.case_id);
+}
+
+TEST(CaseId, FollowsAMeshFilesBytesAndSizeButNotItsPath) {
+    const SweepFolder folder;
+    const std::string mesh = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+    const auto id = [&](std::string_view file, std::string_view text, std::string_view size) {
+        const std::filesystem::path written = folder.write(file, text);
+        const std::string organ =
+            "{ file = \"" + std::string(file) + "\", size = " + std::string(size) + " }";
+        return list_cases(folder.read(replaced(small_sweep, "\"sphere@12mm\"", organ))).front().case_id;
+    };
+    const std::string original = id("organ.off", mesh, "100");
+    EXPECT_EQ(id("elsewhere/other.off", mesh, "100"), original);
+    EXPECT_NE(id("organ.off", mesh, "101"), original);
+    EXPECT_NE(id("organ.off", replaced(mesh, "1 0 0", "1 0 0.25"), "100"), original);
+}
+
+std::size_t count_only(const std::vector<std::string>& filters) {
+    const SweepFolder folder;
+    const std::string text = replaced(small_sweep, "[400]", "[20, 100, 400]");  // 2 strategies, 2 seeds
+    return only(list_cases(folder.read(text)), filters).size();
+}
+
+TEST(Only, ValuesOfOneKeyAreAlternativesAndKeysMustAllMatch) {
+    EXPECT_EQ(count_only({}), 12U);
+    EXPECT_EQ(count_only({"speed=100"}), 4U);
+    EXPECT_EQ(count_only({"speed=100", "speed=20"}), 8U);
+    EXPECT_EQ(count_only({"speed=100", "speed=20", "seed=2"}), 4U);
+    EXPECT_EQ(count_only({"strategy=nearest-face", "organ=sphere@12mm", "tool=prism-6", "scene=penetration"}),
+              6U);
+}
+
+TEST(Only, AMistakeNamesTheNearestWord) {
+    const auto message = [](const std::string& filter) -> std::string {
+        try {
+            count_only({filter});
+            return "was accepted";
+        } catch (const InputError& error) {
+            return error.what();
+        }
+    };
+    EXPECT_THAT(message("speed"), HasSubstr("expected key=value"));
+    EXPECT_THAT(message("sped=100"), HasSubstr("did you mean \"speed\"?"));
+    EXPECT_THAT(message("strategy=nearest-fase"), HasSubstr("did you mean \"nearest-face\"?"));
+    EXPECT_THAT(message("speed=30"), HasSubstr("400"));
+}
+
+}  // namespace
+}  // namespace trocar

@@ -1,0 +1,264 @@
+"""Drives the built program from outside: exit codes, messages, what it writes and what it leaves alone.
+
+/usr/bin/python3 command_line_test.py PROGRAM
+"""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import h5py
+    import numpy as np
+except ImportError:
+    h5py = None
+
+PROGRAM = ""
+
+SWEEP = """name = "small"
+strategies = ["nearest-face", "fuzzy-per-vertex"]
+organs = ["sphere@10mm"]
+tools = ["prism-6"]
+scenes = ["penetration"]
+speeds = [100, 400]
+seeds = 2
+"""
+
+CUBE_OFF = """OFF
+8 12 0
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0 0 1
+1 0 1
+1 1 1
+0 1 1
+3 0 2 1
+3 0 3 2
+3 4 5 6
+3 4 6 7
+3 0 1 5
+3 0 5 4
+3 2 3 7
+3 2 7 6
+3 1 2 6
+3 1 6 5
+3 0 4 7
+3 0 7 3
+"""
+
+BROKEN_MESHES = {
+    "truncated.off": CUBE_OFF[: len(CUBE_OFF) // 2],
+    "quad.obj": "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n",
+    "index.off": CUBE_OFF.replace("3 0 2 1", "3 0 2 8"),
+    "nan.off": CUBE_OFF.replace("1 1 0", "1 nan 0"),
+    "billions.off": CUBE_OFF.replace("8 12 0", "4000000000 12 0"),
+}
+
+# Edits of SWEEP and what the message must hold.
+BAD_SWEEPS = {
+    "unknown strategy": ('"nearest-face"', '"nearest-fase"', 'sweep.toml:2:15: unknown strategy "nearest-fase"'),
+    "speed 0": ("[100, 400]", "[0]", "sweep.toml:6:11: "),
+    "negative speed": ("[100, 400]", "[-20]", "sweep.toml:6:11: "),
+    "no seeds": ("seeds = 2", "seeds = 0", "sweep.toml:7:9: "),
+    "syntax": ("seeds = 2", "seeds = = 2", "sweep.toml:7:9: "),
+    "unknown key": ("speeds", "speds", 'sweep.toml:6:1: unknown key "speds"; did you mean "speeds"?'),
+    "missing mesh": ('"sphere@10mm"', '{ file = "none.off" }', "none.off"),
+}
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.sweep = self.write("sweep.toml", SWEEP)
+        self.out = self.folder / "out.h5"
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def run_program(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+    def expect_refused(self, message, *arguments):
+        result = self.run_program(*arguments)
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertIn(message, result.stderr)
+
+    def expect_done(self, *arguments):
+        result = self.run_program(*arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result
+
+    def files(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    # Usage
+
+    def test_help_of_each_command_has_an_example(self):
+        for command in ([], ["run"], ["list"], ["show"], ["snapshot"], ["check"]):
+            text = self.expect_done(*command, "--help").stdout
+            self.assertIn("Example:", text)
+            self.assertIn("Exit codes:", text)
+
+    def test_version(self):
+        self.assertRegex(self.expect_done("--version").stdout, r"^trocar \d+\.\d+\.\d+ ")
+
+    def test_bad_usage_is_2(self):
+        for arguments in ([], ["fly"], ["run"], ["run", self.sweep], ["run", self.sweep, "-o", self.out, "-j", "0"],
+                          ["run", self.sweep, "-o", self.out, "--fast"], ["list", "organ"]):  # fmt: skip
+            self.assertEqual(self.run_program(*arguments).returncode, 2, arguments)
+        self.assertEqual(self.files(), ["sweep.toml"])
+
+    def test_list_names_everything_that_a_sweep_can(self):
+        text = self.expect_done("list").stdout
+        for name in ("nearest-face", "fuzzy-per-vertex", "sphere", "prism-N", "penetration", "depth_max", "aggregate"):
+            self.assertIn(name, text)
+        self.assertNotIn("sphere", self.expect_done("list", "strategies").stdout)
+
+    # Bad input
+
+    def test_bad_sweeps_are_2_with_their_place(self):
+        self.out.write_text("kept")
+        for name, (before, after, message) in BAD_SWEEPS.items():
+            with self.subTest(name):
+                self.assertIn(before, SWEEP)
+                self.sweep.write_text(SWEEP.replace(before, after))
+                self.expect_refused(message, "run", self.sweep, "-o", self.out)
+                self.assertEqual(self.out.read_text(), "kept")
+
+    def test_a_missing_sweep_is_2(self):
+        self.expect_refused("none.toml: No such file", "run", self.folder / "none.toml", "-o", self.out)
+
+    def test_broken_meshes_are_2_for_run_and_check(self):
+        for name, text in BROKEN_MESHES.items():
+            with self.subTest(name):
+                self.write(name, text)
+                self.sweep.write_text(SWEEP.replace('"sphere@10mm"', f'{{ file = "{name}", size = 60 }}'))
+                self.expect_refused(name, "run", self.sweep, "-o", self.out)
+                self.expect_refused(name, "check", self.folder / name)
+                self.assertFalse(self.out.exists())
+
+    def test_check(self):
+        text = self.expect_done("check", self.write("cube.off", CUBE_OFF), "--size", "50").stdout
+        self.assertIn("50 × 50 × 50 mm", text)
+        bowtie = "OFF\n5 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n3 0 1 2\n3 0 3 4\n"
+        refused = self.run_program("check", self.write("bowtie.off", bowtie))
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("refused", refused.stdout)
+
+    def test_an_output_that_cannot_be_written_is_2_before_anything_runs(self):
+        self.expect_refused("cannot be written", "run", self.sweep, "-o", self.folder / "none" / "out.h5")
+        self.expect_refused("is no file", "run", self.sweep, "-o", self.folder)
+        self.assertEqual(self.files(), ["sweep.toml"])
+
+    def test_a_file_that_is_no_result_is_not_written_over(self):
+        self.out.write_text("my notes")
+        self.expect_refused("out.h5", "run", self.sweep, "-o", self.out)
+        self.assertEqual(self.out.read_text(), "my notes")
+        self.assertEqual(self.files(), ["out.h5", "sweep.toml"])
+
+    def test_results_of_another_sweep_are_not_written_over(self):
+        self.expect_done("run", self.sweep, "-o", self.out)
+        before = self.out.read_bytes()
+        self.sweep.write_text(SWEEP.replace("small", "other"))
+        self.expect_refused("another sweep", "run", self.sweep, "-o", self.out)
+        self.assertEqual(self.out.read_bytes(), before)
+
+    def test_filters_are_checked(self):
+        self.expect_refused('did you mean "speed"?', "run", self.sweep, "-o", self.out, "--only", "sped=100")
+        self.assertFalse(self.out.exists())
+
+    # Runs
+
+    def test_dry_run_lists_cases_and_writes_nothing(self):
+        text = self.expect_done("run", self.sweep, "--dry-run", "--only", "speed=100").stdout
+        self.assertIn("4 cases, 4 of them to run", text)
+        self.assertEqual(self.files(), ["sweep.toml"])
+        self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1")
+        text = self.expect_done("run", self.sweep, "-o", self.out, "--dry-run").stdout
+        self.assertIn("8 cases, 4 of them to run", text)
+
+    def test_a_second_run_runs_nothing(self):
+        self.assertIn("8 run in", self.expect_done("run", self.sweep, "-o", self.out).stdout)
+        before = self.out.read_bytes()
+        self.assertIn("8 from an earlier run, 0 run", self.expect_done("run", self.sweep, "-o", self.out).stdout)
+        self.assertEqual(self.out.read_bytes(), before)
+
+    def test_a_case_that_fails_is_3_and_does_not_stop_the_others(self):
+        # No point of a sheet 120 mm wide is two radii of this tool from its boundary.
+        thick = '["prism-6", { shape = "prism", sides = 6, radius = 40 }]'
+        self.sweep.write_text(SWEEP.replace('["prism-6"]', thick).replace("sphere", "sheet"))
+        result = self.run_program("run", self.sweep, "-o", self.out)
+        self.assertEqual(result.returncode, 3, result.stderr)
+        self.assertIn("8 complete, 8 failed", result.stdout)
+        self.assertIn("prism-6 r40 l80", result.stderr)
+
+    def test_an_interrupted_run_is_130_and_goes_on(self):
+        self.sweep.write_text(SWEEP.replace("@10mm", "@2.5mm").replace("seeds = 2", "seeds = 20"))
+        process = subprocess.Popen(
+            [PROGRAM, "run", self.sweep, "-o", self.out, "-j", "2"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            text=True)  # fmt: skip
+        self.assertIn("of 80 cases done", process.stderr.readline())
+        process.send_signal(signal.SIGINT)
+        text, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, errors)
+        self.assertIn("interrupted", text)
+        self.assertEqual(self.files(), ["out.h5", "sweep.toml"])
+        kept = int(text.split()[0])
+        self.assertGreater(kept, 0)
+        text = self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1", "--only", "seed=20").stdout
+        self.assertIn("8 of 8 cases: 8 complete", text)
+
+    @unittest.skipIf(h5py is None, "needs python3-h5py")
+    def test_results_do_not_depend_on_the_number_of_jobs(self):
+        other = self.folder / "other.h5"
+        self.expect_done("run", self.sweep, "-o", self.out, "--jobs", "1", "--replay")
+        self.expect_done("run", self.sweep, "-o", other, "--jobs", "2", "--replay")
+        one, two = bits(self.out), bits(other)
+        self.assertGreater(len(one), 50)
+        self.assertEqual(one.keys(), two.keys())
+        for name in one:
+            self.assertEqual(one[name], two[name], name)
+
+    @unittest.skipIf(h5py is None, "needs python3-h5py")
+    def test_show_passes_on_the_analysis_and_its_exit_code(self):
+        self.expect_done("run", self.sweep, "-o", self.out)
+        result = self.expect_done("show", self.out, "--by", "label,speed", "--metric", "depth_max_d_max", "--csv")
+        self.assertIn("nearest-face", result.stdout)
+        self.expect_refused("no_such_metric", "show", self.out, "--metric", "no_such_metric")
+        self.expect_refused("none.h5", "show", self.folder / "none.h5")
+
+
+def bits(path):
+    """The bytes of every dataset that must be the same whenever the inputs and the program are."""
+    varying = ("wall_s", "attempts")
+    found = {}
+
+    def visit(name, item):
+        leaf = name.rpartition("/")[2]
+        if not isinstance(item, h5py.Dataset) or name.startswith("provenance/"):
+            return
+        if leaf.startswith("time_") or leaf in varying:
+            return
+        data = item[()]
+        text = data.dtype == object
+        found[name] = [bytes(one) for one in data] if text else np.asarray(data).tobytes()
+
+    with h5py.File(path) as file:
+        file.visititems(visit)
+        found["attributes"] = {key: str(value) for key, value in file.attrs.items() if key != "created_utc"}
+    return found
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

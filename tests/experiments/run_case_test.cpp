@@ -1,0 +1,145 @@
+#include "experiments/run/run_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sweep_folder.h"
+
+namespace trocar {
+namespace {
+
+using testing::HasSubstr;
+
+/// A strategy that does what a test tells it to.
+class Scripted : public Strategy {
+  public:
+    explicit Scripted(Handler handler) : handler_(std::move(handler)) {}
+    [[nodiscard]] Promises promises() const override { return {}; }
+    void handle(const Contact& contact, Response& response) override { handler_(contact, response); }
+
+  private:
+    Handler handler_;
+};
+
+CaseInputs small_case() {
+    const SweepFolder folder;
+    return list_cases(folder.read(small_sweep)).front();
+}
+
+CaseRecord run_scripted(Handler handler) {
+    Scripted strategy(std::move(handler));
+    return run_case(small_case(), strategy, true, {}).value();
+}
+
+const Value& value(const CaseRecord& record, std::string_view column) {
+    return std::ranges::find(record.cells, column, &Cell::name)->value;
+}
+
+std::string text(const CaseRecord& record, std::string_view column) {
+    return std::get<std::string>(value(record, column));
+}
+
+std::vector<std::string> columns(const CaseRecord& record) {
+    std::vector<std::string> names;
+    for (const Cell& cell : record.cells) names.push_back(cell.name);
+    return names;
+}
+
+TEST(RunCase, FillsColumnsSeriesAndReplay) {
+    const CaseInputs inputs = small_case();
+    const CaseRecord record = run_case(inputs, true, {}).value();
+    EXPECT_EQ(record.case_id, inputs.case_id);
+    EXPECT_EQ(text(record, "status"), "complete") << text(record, "reason");
+    EXPECT_EQ(text(record, "label"), "nearest-face");
+    EXPECT_EQ(std::get<double>(value(record, "speed")), 400);
+    EXPECT_GT(std::get<double>(value(record, "collided_vertices_max")), 0);
+    ASSERT_FALSE(record.time.empty());
+    EXPECT_DOUBLE_EQ(record.time.front(), 1.0 / 30);
+    for (const Series& series : record.series)
+        EXPECT_EQ(series.values.size(), record.time.size()) << series.name;
+    ASSERT_TRUE(record.replay);
+    ASSERT_EQ(record.replay->steps.size(), record.time.size());
+    const ReplayStep& step = record.replay->steps.back();
+    EXPECT_EQ(step.found.size(), inputs.organ.organ->rest.positions.size());
+    EXPECT_EQ(step.handled.size(), step.found.size());
+    EXPECT_EQ(step.deformed.size(), step.found.size());
+}
+
+TEST(RunCase, FiguresFollowFromTheSeriesOverTheWindow) {
+    const CaseRecord record = run_case(small_case(), false, {}).value();
+    EXPECT_FALSE(record.replay);
+    const Series& window = record.series.back();
+    ASSERT_EQ(window.name, "window");
+    const auto collided = std::ranges::find(record.series, "collided_vertices", &Series::name);
+    double largest = 0;
+    for (std::size_t i = 0; i < window.values.size(); ++i) {
+        if (window.values[i] == 1) largest = std::max(largest, collided->values[i]);
+    }
+    EXPECT_EQ(std::get<double>(value(record, "collided_vertices_max")), largest);
+}
+
+void expect_no_figures(const CaseRecord& record) {
+    EXPECT_EQ(columns(record), columns(run_case(small_case(), false, {}).value()));
+    EXPECT_TRUE(std::isnan(std::get<double>(value(record, "collided_vertices_max"))));
+    EXPECT_TRUE(std::isnan(std::get<double>(value(record, "time_cycle_over_1ms"))));
+}
+
+TEST(RunCase, AStrategyThatThrowsFailsItsCaseOnly) {
+    int calls = 0;
+    const CaseRecord record = run_scripted([&](const Contact&, Response&) {
+        if (++calls == 3) throw std::runtime_error("no idea");
+    });
+    EXPECT_EQ(text(record, "status"), "failed");
+    EXPECT_EQ(text(record, "reason"), "step 2: no idea");
+    EXPECT_EQ(record.time.size(), 2U) << "the steps before are kept";
+    EXPECT_EQ(record.replay->steps.size(), 2U);
+    expect_no_figures(record);
+}
+
+TEST(RunCase, AnAnswerThatIsNotFiniteFails) {
+    const CaseRecord record = run_scripted([](const Contact&, Response& response) {
+        response.displacements.push_back({0, Vec3(0, std::numeric_limits<double>::quiet_NaN(), 0)});
+    });
+    EXPECT_EQ(text(record, "status"), "failed");
+    EXPECT_THAT(text(record, "reason"), HasSubstr("step 0"));
+    expect_no_figures(record);
+}
+
+TEST(RunCase, AnOrganThatFliesApartIsDiverged) {
+    const CaseRecord record = run_scripted([](const Contact&, Response& response) {
+        response.displacements.push_back({5, Vec3(0, 0, 1e5)});
+    });
+    EXPECT_EQ(text(record, "status"), "diverged");
+    EXPECT_THAT(text(record, "reason"), HasSubstr("vertex 5 is 1e+05 mm from its rest place"));
+    EXPECT_TRUE(record.time.empty());
+    expect_no_figures(record);
+}
+
+TEST(RunCase, ASeedWithoutAPlaceFailsWithItsReason) {
+    const SweepFolder folder;
+    const std::string thick =
+        replaced(small_sweep, "\"prism-6\"", "{ shape = \"prism\", sides = 6, radius = 70, length = 200 }");
+    const CaseInputs on_sheet = list_cases(folder.read(replaced(thick, "sphere@12mm", "sheet@12mm"))).front();
+    const CaseRecord record = run_case(on_sheet, false, {}).value();
+    EXPECT_EQ(text(record, "status"), "failed") << "no point of the sheet is two radii from its boundary";
+    EXPECT_NE(text(record, "reason"), "");
+    expect_no_figures(record);
+}
+
+TEST(RunCase, StopsBetweenStepsWhenAsked) {
+    std::stop_source stop;
+    int calls = 0;
+    Scripted strategy([&](const Contact&, Response&) {
+        if (++calls == 2) stop.request_stop();
+    });
+    EXPECT_FALSE(run_case(small_case(), strategy, false, stop.get_token()));
+    EXPECT_EQ(calls, 2);
+}
+
+}  // namespace
+}  // namespace trocar

@@ -1,0 +1,172 @@
+#include "experiments/sweep/sweep.h"
+
+#include <ostream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/geometry/mesh_error.h"
+#include "experiments/input_error.h"
+#include "sweep_folder.h"
+
+namespace trocar {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+constexpr const char* tetrahedron =
+    "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+TEST(ReadSweep, ReadsEveryKey) {
+    const SweepFolder folder;
+    const std::filesystem::path mesh = folder.write("meshes/organ.off", tetrahedron);
+    const Sweep sweep = folder.read(R"(
+name = "my sweep"
+strategies = ["nearest-face", { name = "fuzzy-per-vertex", label = "fuzzy, reference", normals = "reference" }]
+organs = ["sphere@10mm", { file = "meshes/organ.off", size = 100 }]
+tools = ["prism-12", { shape = "prism", sides = 6, radius = 3, length = 70 }]
+scenes = ["penetration"]
+speeds = [20, 100.5]
+seeds = [3, 1]
+[cycle]
+rate = 25
+clearance = 0.02
+release = "step"
+[deformation]
+density = 1e-3
+edge_stiffness = 1000
+rest_stiffness = 50
+damping = 0
+substeps = 7
+)");
+    EXPECT_EQ(sweep.name, "my sweep");
+    ASSERT_THAT(sweep.strategies, SizeIs(2));
+    EXPECT_EQ(sweep.strategies[0].label, "nearest-face");
+    EXPECT_EQ(sweep.strategies[1].label, "fuzzy, reference");
+    EXPECT_EQ(word(sweep.strategies[1].options, "normals"), "reference");
+    EXPECT_EQ(word(sweep.strategies[1].options, "aggregate"), "sum") << "an option not given has its default";
+    ASSERT_THAT(sweep.organs, SizeIs(2));
+    EXPECT_EQ(sweep.organs[0].organ->name, "sphere@10mm");
+    EXPECT_NEAR(bounding_box(sweep.organs[1].organ->rest.positions).size().maxCoeff(), 100, 1e-9);
+    ASSERT_THAT(sweep.tools, SizeIs(2));
+    EXPECT_NEAR(sweep.tools[1]->radius, 3, 1e-12);
+    EXPECT_THAT(sweep.scenes, ElementsAre("penetration"));
+    EXPECT_THAT(sweep.speeds, ElementsAre(20, 100.5));
+    EXPECT_THAT(sweep.seeds, ElementsAre(3, 1));
+    EXPECT_EQ(sweep.cycle.rate, 25);
+    EXPECT_EQ(sweep.cycle.clearance, 0.02);
+    EXPECT_EQ(sweep.cycle.release, Release::step);
+    EXPECT_EQ(sweep.springs.density, 1e-3);
+    EXPECT_EQ(sweep.springs.edge_stiffness, 1000);
+    EXPECT_EQ(sweep.springs.rest_stiffness, 50);
+    EXPECT_EQ(sweep.springs.damping, 0);
+    EXPECT_EQ(sweep.springs.substeps, 7);
+}
+
+TEST(ReadSweep, ACountOfSeedsStandsForTheFirstOnes) {
+    const SweepFolder folder;
+    EXPECT_THAT(folder.read(replaced(small_sweep, "seeds = 2", "seeds = 4")).seeds, ElementsAre(1, 2, 3, 4));
+}
+
+/// One edit of the small sweep, and where and how it must be answered.
+struct Mistake {
+    const char* name;
+    const char* from;
+    const char* to;
+    const char* place;  // line:column
+    const char* message;
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
+
+class ReadSweepMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(ReadSweepMistake, IsAnsweredWithPlaceAndRemedy) {
+    const SweepFolder folder;
+    const Mistake& mistake = GetParam();
+    try {
+        static_cast<void>(folder.read(replaced(small_sweep, mistake.from, mistake.to)));
+        FAIL() << "was accepted";
+    } catch (const InputError& error) {
+        const std::string place = folder.path("sweep.toml").string() + ":" + mistake.place + ": ";
+        EXPECT_THAT(error.what(), testing::StartsWith(place));
+        EXPECT_THAT(error.what(), HasSubstr(mistake.message));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ReadSweepMistake,
+    testing::Values(
+        Mistake{"Syntax", "seeds = 2", "seeds = ", "7:9", "value"},
+        Mistake{"UnknownKey", "speeds =", "speed =", "6:1", "did you mean \"speeds\"?"},
+        Mistake{"MissingKey", "seeds = 2", "", "1:1", "seeds is missing"},
+        Mistake{"UnknownStrategy", "\"nearest-face\"", "\"nearest-fase\"", "2:15",
+                "did you mean \"nearest-face\"?"},
+        Mistake{"UnknownStrategyInTable", "\"nearest-face\"", "{ name = \"nearest-fase\" }", "2:24",
+                "did you mean \"nearest-face\"?"},
+        Mistake{"StrategyWithoutName", "\"nearest-face\"", "{ label = \"a\" }", "2:15", "needs the key name"},
+        Mistake{"UnknownOption", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", normal = \"current\" }", "2:60", "\"normals\""},
+        Mistake{"WrongChoice", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", normals = \"curent\" }", "2:70", "\"current\""},
+        Mistake{"OptionOfAnotherKind", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", feedback = 1 }", "2:71", "feedback"},
+        Mistake{"SameLabel", "\"nearest-face\"", "{ name = \"fuzzy-per-vertex\", feedback = false }", "2:64",
+                "label"},
+        Mistake{"SameStrategy", "\"fuzzy-per-vertex\"", "{ name = \"nearest-face\", label = \"again\" }",
+                "2:31", "twice"},
+        Mistake{"UnknownOrgan", "sphere@12mm", "shpere@12mm", "3:11", "did you mean \"sphere\"?"},
+        Mistake{"OrganTwice", "\"sphere@12mm\"", "\"sphere@12mm\", \"sphere@12mm\"", "3:26", "twice"},
+        Mistake{"OrganFileMissing", "\"sphere@12mm\"", "{ file = \"no.off\" }", "3:20", "no.off"},
+        Mistake{"OrganKey", "\"sphere@12mm\"", "{ fil = \"no.off\" }", "3:13", "did you mean \"file\"?"},
+        Mistake{"UnknownTool", "prism-6", "prims-6", "4:10", "prism-N"},
+        Mistake{"ToolShape", "\"prism-6\"", "{ shape = \"prsim\", sides = 6 }", "4:20",
+                "did you mean \"prism\"?"},
+        Mistake{"ToolParameter", "\"prism-6\"", "{ shape = \"prism\", sids = 6 }", "4:29",
+                "did you mean \"sides\"?"},
+        Mistake{"ToolRange", "\"prism-6\"", "{ shape = \"prism\", sides = 2 }", "4:37", "3 to 64"},
+        Mistake{"UnknownScene", "\"penetration\"", "\"penetraton\"", "5:11", "did you mean \"penetration\"?"},
+        Mistake{"SpeedZero", "[400]", "[100, 0]", "6:16", "above 0"},
+        Mistake{"SpeedNegative", "[400]", "[-5]", "6:11", "above 0"},
+        Mistake{"SpeedNotFinite", "[400]", "[inf]", "6:11", "finite"},
+        Mistake{"SpeedText", "[400]", "[\"fast\"]", "6:11", "must be a number"},
+        Mistake{"SpeedTwice", "[400]", "[400, 400.0]", "6:16", "twice"},
+        Mistake{"SpeedsNoList", "[400]", "400", "6:10", "must be a list"},
+        Mistake{"NoSpeeds", "[400]", "[]", "6:10", "at least one"},
+        Mistake{"NoSeeds", "seeds = 2", "seeds = 0", "7:9", "from 1"},
+        Mistake{"SeedsNotWhole", "seeds = 2", "seeds = 1.5", "7:9", "whole number"},
+        Mistake{"SeedZero", "seeds = 2", "seeds = [1, 0]", "7:13", "at least 1"},
+        Mistake{"CycleKey", "seeds = 2", "seeds = 2\n[cycle]\nrat = 3", "9:1", "did you mean \"rate\"?"},
+        Mistake{"RateZero", "seeds = 2", "seeds = 2\n[cycle]\nrate = 0", "9:8", "above 0"},
+        Mistake{"ReleaseWord", "seeds = 2", "seeds = 2\n[cycle]\nrelease = \"contct\"", "9:11",
+                "did you mean \"contact\"?"},
+        Mistake{"DeformationKey", "seeds = 2", "seeds = 2\n[deformation]\nsubstep = 3", "9:1",
+                "did you mean \"substeps\"?"},
+        Mistake{"Substeps", "seeds = 2", "seeds = 2\n[deformation]\nsubsteps = 0", "9:12", "1 to 10000"},
+        Mistake{"Damping", "seeds = 2", "seeds = 2\n[deformation]\ndamping = -1", "9:11", "negative"},
+        Mistake{"Date", "seeds = 2", "seeds = 2009-11-05", "7:9", "dates"}),
+    [](const auto& mistake) { return mistake.param.name; });
+
+TEST(ReadSweep, AMissingFileIsNamed) {
+    const SweepFolder folder;
+    try {
+        read_sweep(folder.path("none.toml"));
+        FAIL() << "was accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(folder.path("none.toml").string()));
+        EXPECT_THAT(error.what(), HasSubstr("No such file"));
+    }
+}
+
+TEST(ReadSweep, ABrokenMeshFileIsNamed) {
+    const SweepFolder folder;
+    const std::filesystem::path mesh = folder.write("cut.off", std::string_view(tetrahedron).substr(0, 40));
+    EXPECT_THROW(static_cast<void>(folder.read(
+                     replaced(small_sweep, "\"sphere@12mm\"", "{ file = \"cut.off\", size = 50 }"))),
+                 MeshError);
+}
+
+}  // namespace
+}  // namespace trocar

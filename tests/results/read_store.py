@@ -1,0 +1,77 @@
+"""Reads the campaign of python_test.cpp without any code of ours.
+
+Usage: read_store.py tables|xdmf <campaign.h5> <replay.xdmf>. Exit status 77 when a package is missing.
+"""
+
+import sys
+import xml.etree.ElementTree
+from pathlib import Path
+
+try:
+    import h5netcdf  # noqa: F401  (xarray's engine)
+    import h5py
+    import numpy
+    import pandas
+    import xarray
+except ImportError as error:
+    print(error)
+    sys.exit(77)
+
+
+def check_table(table):
+    assert list(table["case_id"]) == ["a2", "a1"], table
+    assert list(table["status"]) == ["timed_out", "timed_out"], table
+    assert list(table["seed"]) == [2**62, 2**62], table
+    assert list(table["speed"]) == [0.1, 0.1], table
+    assert list(table["options"]) == ['{"ε": 0.7071}'] * 2, table
+    assert table["depth_max_d_max"].isna().all(), table
+
+
+def check_tables(campaign):
+    with h5py.File(campaign) as file:
+        assert file.attrs["schema_version"] == 1 and file.attrs["complete"] == 1
+        assert file.attrs["sweep_toml"] == '[sweep]\nname = "µ test"\n'
+        columns = {name: data.asstr()[:] if data.dtype == object else data[:] for name, data in file["cases"].items()}
+        check_table(pandas.DataFrame(columns))
+        assert list(columns)[:3] == ["case_id", "build_id", "strategy"], "columns lost their order"
+
+        unlabelled = []
+        file.visititems(
+            lambda name, item: unlabelled.append(name)
+            if isinstance(item, h5py.Dataset)
+            and not (isinstance(item.attrs.get("units"), str) and item.attrs.get("long_name"))
+            else None
+        )
+        assert not unlabelled, unlabelled
+        assert h5py.h5ds.is_scale(file["cases/case_id"].id)
+        assert h5py.h5ds.is_attached(file["cases/speed"].id, file["cases/case_id"].id, 0)
+        assert file["cases/speed"].dims[0][0] == file["cases/case_id"]
+        assert len(file["cases/case_id"].attrs["REFERENCE_LIST"]) == len(file["cases"]) - 1
+        assert file["replay/a1/found"].chunks == (1, 4, 3) and file["replay/a1/found"].dtype == numpy.float32
+        assert file["replay/a1/found"].compression == "gzip" and file["replay/a1/found"].shuffle
+
+    check_table(xarray.open_dataset(campaign, group="cases", engine="h5netcdf").to_dataframe().reset_index())
+    series = xarray.open_dataset(campaign, group="series/a1", engine="h5netcdf", phony_dims="sort")
+    assert series["depth_max_d"].values[2] == 0.25 and series["depth_max_d"].attrs["units"] == "mm"
+
+
+def check_xdmf(campaign, xdmf):
+    root = xml.etree.ElementTree.parse(xdmf).getroot()
+    times = [float(time.get("Value")) for time in root.iter("Time")]
+    assert times == [0.1, 0.2, 0.3], times
+    assert [grid.get("Name") for grid in root.findall("Domain/Grid")] == ["nearest-face a1"]
+    items = [item for item in root.iter("DataItem") if item.get("Format") == "HDF"]
+    assert len(items) == 3 * 6, len(items)
+    for item in items:
+        name, dataset = item.text.split(":")
+        assert (Path(xdmf).parent / name).samefile(campaign), name
+        with h5py.File(Path(xdmf).parent / name) as file:
+            shape = tuple(int(length) for length in item.get("Dimensions").split())
+            assert file[dataset].shape == shape, item.text
+            assert file[dataset].dtype.itemsize == int(item.get("Precision")), item.text
+
+
+if sys.argv[1] == "tables":
+    check_tables(sys.argv[2])
+else:
+    check_xdmf(sys.argv[2], sys.argv[3])

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "results/hdf5_data.h"
+#include "results/store.h"
+#include "results/table.h"
+
+namespace trocar {
+
+/// A test with an empty folder of its own, removed afterwards.
+class StoreTest : public testing::Test {
+  protected:
+    StoreTest();
+    ~StoreTest() override;
+
+    /// A file of this name in the test's folder.
+    [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+
+    /// Writes sample_case(case_id) as <case_id>.h5 and returns where it is.
+    [[nodiscard]] std::filesystem::path written(const std::string& case_id) const;
+
+    /// The names in the test's folder, sorted.
+    [[nodiscard]] std::vector<std::string> files() const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+CampaignHeader sample_header();
+
+/// Three steps, two series; a text, a whole number, a figure and a NaN among the cells; no replay.
+CaseRecord sample_case(const std::string& case_id);
+
+/// A tetrahedron that a triangle moves through, over `steps` steps; numbers differ from step to step.
+Replay sample_replay(std::size_t steps);
+
+std::string bytes_of(const std::filesystem::path& file);
+
+/// The table in a group of a result file.
+Table table_in(const std::filesystem::path& file, const std::string& group);
+
+/// The values of a column, which must be there and of this kind.
+template <class Values>
+Values values(const Table& table, const std::string& column) {
+    return std::get<Values>(table.find(column)->values);
+}
+
+/// All numbers of a dataset, and its shape in `shape`.
+std::vector<double> numbers_in(const std::filesystem::path& file, const std::string& dataset,
+                               hdf5::Shape& shape);
+
+/// What `action` throws as StoreError; "nothing thrown" otherwise.
+template <class Action>
+std::string error_of(Action action) {
+    try {
+        action();
+    } catch (const StoreError& error) {
+        return error.what();
+    }
+    return "nothing thrown";
+}
+
+}  // namespace trocar
