@@ -12,7 +12,7 @@ sources = find common strategies experiments results analysis tests -name node_m
 scripts = find cmake analysis tests -name node_modules -prune -o -name '*.py' -print0
 
 .NOTPARALLEL:
-.PHONY: help packages configure build paper figures test sanitize lint bench clean
+.PHONY: help packages lint_packages configure build paper figures test sanitize lint bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' Makefile | expand -t 12
@@ -36,7 +36,7 @@ test: build  ## build and run the tests
 sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(MAKE) test PRESET=asan TROCAR_LINK_PROGRAM=OFF
 
-lint: configure  ## check the format, the C++ and the Python; a warning is an error
+lint: lint_packages configure  ## check the format, the C++ and the Python; a warning is an error
 	$(sources) | xargs -0 clang-format --dry-run -Werror
 	$(scripts) | xargs -0 -r $(PYTHON) -m pyflakes
 	$(PYTHON) cmake/clang_tidy.py build/$(PRESET) --jobs $(JOBS)
@@ -51,7 +51,10 @@ clean:  ## remove build/
 	rm -rf build
 
 packages:
-	@sh cmake/install_packages.sh
+	@sh cmake/install_packages.sh packages.txt
+
+lint_packages:
+	@sh cmake/install_packages.sh packages.txt packages-lint.txt
 
 configure: packages
 	cmake --preset $(PRESET) -DTROCAR_LINK_PROGRAM=$(or $(TROCAR_LINK_PROGRAM),ON)

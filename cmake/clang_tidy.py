@@ -14,6 +14,7 @@ import subprocess
 import sys
 import time
 
+CLANG_TIDY = "clang-tidy-22"
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAMPS = ROOT / "build" / "lint"
 
@@ -45,7 +46,7 @@ def check(entry, build, common):
     if stamp.exists():
         return True
     started = time.monotonic()
-    answer = subprocess.run(["clang-tidy", "--quiet", "-p", build, entry["file"]], capture_output=True, text=True)
+    answer = subprocess.run([CLANG_TIDY, "--quiet", "-p", build, entry["file"]], capture_output=True, text=True)
     clean = answer.returncode == 0
     print(f"{name}: {'clean' if clean else 'not clean'} ({time.monotonic() - started:.0f} s)", flush=True)
     if clean:
@@ -62,7 +63,7 @@ def main():
     arguments = parser.parse_args()
 
     entries = json.loads(pathlib.Path(arguments.build, "compile_commands.json").read_text())
-    version = subprocess.run(["clang-tidy", "--version"], capture_output=True, check=True).stdout
+    version = subprocess.run([CLANG_TIDY, "--version"], capture_output=True, check=True).stdout
     common = version + (ROOT / ".clang-tidy").read_bytes()
     STAMPS.mkdir(parents=True, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:

@@ -1,14 +1,13 @@
 #!/bin/sh
-# Installs those packages of packages.txt that this machine lacks. When nothing is missing it asks no network.
-# Exits 2, naming the packages and the command, when it cannot install them.
+# install_packages.sh LIST...: installs those Debian packages of the lists (one a line) that this machine lacks.
+# When nothing is missing it asks no network. Exits 2, naming the packages and the command, when it cannot install.
 set -eu
 
-list=$(dirname "$0")/../packages.txt
-wanted=$(sed 's/#.*//' "$list")
+wanted=$(cat "$@" | sed 's/#.*//')
 
 if ! command -v dpkg-query >/dev/null; then
-    echo "Trocar's Makefile installs what it needs on Debian 12, and this is not a Debian: dpkg-query is missing." >&2
-    echo "Install what packages.txt lists by your system's names, then: cmake --preset release && cmake --build --preset release" >&2
+    echo "Trocar's Makefile installs what it needs on Debian 12, and this is no Debian: dpkg-query is missing." >&2
+    echo "Install what $* names, then run: cmake --preset release && cmake --build --preset release" >&2
     exit 2
 fi
 

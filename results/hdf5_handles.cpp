@@ -20,6 +20,7 @@ std::string innermost_message() {
         return 0;
     };
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &message);
+    std::erase(message, '\n');  // it may hold a date that ends its line
     return message.empty() ? "HDF5 gives no reason" : message;
 }
 
@@ -53,6 +54,8 @@ PropertyList group_properties(hid_t near, bool ordered) {
 }  // namespace
 
 Session::Session() : lock_(library_mutex()) {
+    // After a file that could not be closed, on a full disk, the library's own tidying at exit would crash.
+    [[maybe_unused]] static const herr_t no_tidying = H5dont_atexit();
     H5Eget_auto2(H5E_DEFAULT, &printer_, &printer_data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

@@ -1,6 +1,5 @@
 #include "common/deformation/xpbd.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -23,11 +22,11 @@ XpbdIntegrator::XpbdIntegrator(SpringNetwork network, double damping, int subste
 }
 
 void XpbdIntegrator::step(OrganState& state, double dt, const StepLoad& load) {
-    set_inverse_masses(state, load.kinematic);
+    const double h = dt / substeps_;
+    set_inverse_masses(state, load.kinematic, h);
     for (const VertexForce& f : load.forces) {
         accelerations_[f.vertex] = f.force * inverse_masses_[f.vertex];
     }
-    const double h = dt / substeps_;
     for (int k = 0; k < substeps_; ++k) {
         predict(state, h);
         project_springs(state.positions, h);
@@ -40,24 +39,27 @@ void XpbdIntegrator::step(OrganState& state, double dt, const StepLoad& load) {
     for (const VertexForce& f : load.forces) accelerations_[f.vertex] = Vec3::Zero();
 }
 
-void XpbdIntegrator::set_inverse_masses(OrganState& state, std::span<const Index> kinematic) {
+void XpbdIntegrator::set_inverse_masses(OrganState& state, std::span<const Index> kinematic, double h) {
     for (std::size_t vertex = 0; vertex < inverse_masses_.size(); ++vertex) {
-        inverse_masses_[vertex] = network_.fixed[vertex] ? 0 : 1 / network_.masses[vertex];
+        inverse_masses_[vertex] = 1 / (network_.masses[vertex] * (1 + damping_ * h));
+        if (network_.fixed[vertex]) inverse_masses_[vertex] = 0;
     }
+    at_rest_.assign(network_.fixed.begin(), network_.fixed.end());
     for (const Index vertex : kinematic) {
-        inverse_masses_[vertex] = -1;  // marks it for the loop below
-    }
-    for (std::size_t vertex = 0; vertex < inverse_masses_.size(); ++vertex) {
-        if (inverse_masses_[vertex] > 0) continue;
-        // What is fixed and was moved goes back when nothing holds it any more.
-        if (inverse_masses_[vertex] == 0) state.positions[vertex] = network_.rest[vertex];
         inverse_masses_[vertex] = 0;
+        at_rest_[vertex] = false;
+        state.velocities[vertex] = Vec3::Zero();
+    }
+    // What is fixed and was moved goes back when nothing holds it any more.
+    for (std::size_t vertex = 0; vertex < at_rest_.size(); ++vertex) {
+        if (!at_rest_[vertex]) continue;
+        state.positions[vertex] = network_.rest[vertex];
         state.velocities[vertex] = Vec3::Zero();
     }
 }
 
 void XpbdIntegrator::predict(OrganState& state, double h) {
-    const double kept = std::exp(-damping_ * h);
+    const double kept = 1 / (1 + damping_ * h);
     before_ = state.positions;
     for (std::size_t vertex = 0; vertex < state.positions.size(); ++vertex) {
         state.positions[vertex] += h * (kept * state.velocities[vertex] + h * accelerations_[vertex]);

@@ -27,7 +27,7 @@ struct StepLoad {
 class XpbdIntegrator {
   public:
     /// Throws std::invalid_argument when a mass is not positive, damping is negative or there is no substep.
-    /// @param damping rate at which velocities decay, 1/s
+    /// @param damping c: rate at which the velocity of a free mass decays, 1/s
     /// @param substeps of each step
     XpbdIntegrator(SpringNetwork network, double damping, int substeps);
 
@@ -40,7 +40,7 @@ class XpbdIntegrator {
     [[nodiscard]] const SpringNetwork& network() const { return network_; }
 
   private:
-    void set_inverse_masses(OrganState& state, std::span<const Index> kinematic);
+    void set_inverse_masses(OrganState& state, std::span<const Index> kinematic, double h);
     void predict(OrganState& state, double h);
     void project_springs(std::vector<Vec3>& positions, double h) const;
     void project_to_rest(std::vector<Vec3>& positions, double h) const;
@@ -49,7 +49,8 @@ class XpbdIntegrator {
     SpringNetwork network_;
     double damping_;
     int substeps_;
-    std::vector<double> inverse_masses_;  // 1/g; zero for what is fixed or kinematic in this step
+    std::vector<double> inverse_masses_;  // of the damped masses, 1/g; zero for what is fixed or kinematic
+    std::vector<bool> at_rest_;           // fixed vertices that nothing holds elsewhere in this step
     std::vector<Vec3> accelerations_;     // by this step's forces, mm/s²
     std::vector<Vec3> before_;            // positions at the start of the substep
 };

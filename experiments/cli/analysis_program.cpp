@@ -26,7 +26,7 @@ bool holds_analysis(const fs::path& folder) { return fs::exists(folder / "trocar
 /// The folder that the Python package lies in: beside an installed program, or in the tree it was built in.
 fs::path find_analysis() {
     const fs::path program = fs::read_symlink("/proc/self/exe");
-    const fs::path installed = program.parent_path().parent_path() / "share" / "trocar" / "analysis";
+    fs::path installed = program.parent_path().parent_path() / "share" / "trocar" / "analysis";
     if (holds_analysis(installed)) return installed;
     for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
         if (holds_analysis(folder / "analysis")) return folder / "analysis";
@@ -58,6 +58,7 @@ int run_analysis(const std::vector<std::string>& arguments) {
     std::vector<std::string> command{python, "-m", "trocar_analysis"};
     command.insert(command.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
+    argv.reserve(command.size() + 1);
     for (std::string& word : command) argv.push_back(word.data());
     argv.push_back(nullptr);
     pid_t child = 0;

@@ -45,6 +45,7 @@ void print_aligned(const std::vector<Row>& rows, std::string_view indent) {
 template <typename Entry>
 void print_named(const std::vector<Entry>& entries) {
     std::vector<Row> rows;
+    rows.reserve(entries.size());
     for (const Entry& entry : entries) rows.push_back({entry.name, entry.summary});
     print_aligned(rows, "  ");
 }

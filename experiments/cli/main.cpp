@@ -1,12 +1,17 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <fmt/format.h>
 
+#include "common/nearest_name.h"
 #include "experiments/cli/commands.h"
+#include "experiments/input_error.h"
 #include "experiments/run/build_info.h"
 
 namespace {
@@ -25,6 +30,14 @@ std::string version_text() {
                        trocar::git_dirty() ? ", with changes" : "", trocar::compiler());
 }
 
+/// CLI11 says of a misspelt command only that one is required.
+void check_command(const CLI::App& app, const std::string& word) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
+    throw trocar::InputError(trocar::unknown_name("command", word, names));
+}
+
 int run_program(int argc, char** argv) {
     trocar::Program program;
     program.arguments.assign(argv, argv + argc);
@@ -40,6 +53,7 @@ int run_program(int argc, char** argv) {
     trocar::add_show(app, program);
     trocar::add_snapshot(app, program);
     trocar::add_check(app, program);
+    if (argc > 1) check_command(app, program.arguments[1]);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -54,7 +68,7 @@ int main(int argc, char** argv) {
     try {
         return run_program(argc, argv);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "trocar: %s\n", error.what());
+        fmt::print(stderr, "trocar: {}\n", error.what());
         return trocar::ExitCode::bad_input;
     }
 }

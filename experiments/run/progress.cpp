@@ -26,7 +26,10 @@ Progress::~Progress() {
 void Progress::show(std::size_t done, std::size_t total) {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     const auto rest = elapsed * (static_cast<double>(total - done) / static_cast<double>(done));
-    const std::string left = duration_text(std::chrono::ceil<std::chrono::seconds>(rest));
+    const std::string left =
+        done == total
+            ? ""
+            : fmt::format(", about {} left", duration_text(std::chrono::ceil<std::chrono::seconds>(rest)));
     if (terminal_) {
         show_bar(done, total, left);
         return;
@@ -34,16 +37,16 @@ void Progress::show(std::size_t done, std::size_t total) {
     const std::size_t tenths = 10 * done / total;
     if (tenths == tenths_told_) return;
     tenths_told_ = tenths;
-    fmt::print(stream_, "{} of {} cases done, about {} left\n", done, total, left);
-    std::fflush(stream_);
+    fmt::print(stream_, "{} of {} cases done{}\n", done, total, left);
+    static_cast<void>(std::fflush(stream_));
 }
 
 void Progress::show_bar(std::size_t done, std::size_t total, const std::string& left) {
     const std::size_t filled = bar_width * done / total;
     // "\33[K" wipes what a longer text before left of the line.
-    fmt::print(stream_, "\r[{:=<{}}{: <{}}] {}/{}, about {} left\33[K", "", filled, "", bar_width - filled,
-               done, total, left);
-    std::fflush(stream_);
+    fmt::print(stream_, "\r[{:=<{}}{: <{}}] {}/{}{}\33[K", "", filled, "", bar_width - filled, done, total,
+               left);
+    static_cast<void>(std::fflush(stream_));
     bar_drawn_ = true;
 }
 

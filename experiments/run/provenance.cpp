@@ -64,7 +64,7 @@ std::vector<Cell> provenance_row(const std::string& case_id, std::span<const std
         text("case_id", "the case that this row is about", case_id),
         text("git_commit", "commit that the program was built from", git_commit()),
         {"git_dirty", "1", "1 when the tree had changes that the commit does not hold",
-         std::int64_t{git_dirty()}},
+         std::int64_t{git_dirty() ? 1 : 0}},
         text("compiler", "compiler", compiler()),
         text("flags", "flags of the compiler", compiler_flags()),
         text("build_type", "CMake's build type", build_type()),

@@ -116,6 +116,7 @@ class CommandLine(unittest.TestCase):
         for arguments in ([], ["fly"], ["run"], ["run", self.sweep], ["run", self.sweep, "-o", self.out, "-j", "0"],
                           ["run", self.sweep, "-o", self.out, "--fast"], ["list", "organ"]):  # fmt: skip
             self.assertEqual(self.run_program(*arguments).returncode, 2, arguments)
+        self.expect_refused('did you mean "check"?', "chekc")
         self.assertEqual(self.files(), ["sweep.toml"])
 
     def test_list_names_everything_that_a_sweep_can(self):

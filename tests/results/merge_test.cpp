@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "tests/results/sample.h"
@@ -56,7 +57,23 @@ TEST_F(MergeTest, ACampaignTakesInFurtherCases) {
     EXPECT_EQ(merged_ids(), (Texts{"a1", "a2", "a3"}));
     hdf5::Shape shape;
     for (const auto* id : {"a1", "a2", "a3"}) {
-        EXPECT_EQ(numbers_in(path("all.h5"), std::string("series/") + id + "/time", shape).size(), 3U);
+        EXPECT_EQ(numbers_in(path("all.h5"), fmt::format("series/{}/time", id), shape).size(), 3U);
+    }
+}
+
+TEST_F(MergeTest, ManyCasesComeOutOfOneFile) {
+    std::vector<Part> parts;
+    std::vector<std::string> order;
+    for (int i = 0; i < 150; ++i) {
+        order.push_back(fmt::format("c{}", i));
+        parts.push_back({written(order.back()), {}});
+    }
+    merge_all(parts, order);
+    merge_all({{path("all.h5"), {}}}, order);
+    hdf5::Shape shape;
+    for (const std::string& id : order) {
+        EXPECT_EQ(numbers_in(path("all.h5"), fmt::format("series/{}/time", id), shape), sample_case(id).time)
+            << id;
     }
 }
 
