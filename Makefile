@@ -11,6 +11,11 @@ sources = find common strategies experiments results analysis tests -name node_m
     \( -name '*.cpp' -o -name '*.h' \) -print0
 scripts = find cmake analysis tests -name node_modules -prune -o -name '*.py' -print0
 
+sweep = experiments/sweeps/first_light.toml
+readme_table = results/reference/first_light.md
+readme_metrics = $(addprefix --metric=,depth_max_d_max facets_crossing_d_mean displacement_mean_mean \
+    flipped_facets_mean time_handle_p99 time_cycle_p50)
+
 .NOTPARALLEL:
 .PHONY: help packages lint_packages configure build paper figures test sanitize lint bench clean
 
@@ -21,14 +26,18 @@ help:  ## list the targets
 build: configure  ## build the program, build/trocar
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
 
-paper: build  ## run the paper's scenes and make the table and figures of the README
+paper: build  ## run the first comparison: its table, its picture and its result file in build/paper/
 	mkdir -p build/paper
-	build/trocar run experiments/sweeps/first_light.toml -o build/paper/first_light.h5
+	build/trocar run $(sweep) -o build/paper/first_light.h5
 	build/trocar show build/paper/first_light.h5
-	$(MAKE) figures
+	build/trocar run $(sweep) --only organ=sphere@2mm --only speed=400 --only seed=1 --replay -o build/paper/picture.h5
+	build/trocar snapshot build/paper/picture.h5 -o build/paper/first_light.png
 
-figures:  ## draw the figures of the README again, from build/paper
-	build/trocar snapshot build/paper/first_light.h5 -o build/paper/first_light.png
+figures: paper  ## make the table and the picture of README.md anew
+	build/trocar show build/paper/first_light.h5 --markdown --by speed,label $(readme_metrics) \
+	    > $(readme_table)
+	cp build/paper/first_light.png results/reference/first_light.png
+	$(PYTHON) cmake/readme_table.py README.md $(readme_table)
 
 test: build  ## build and run the tests
 	ctest --preset $(PRESET) --parallel $(JOBS) --no-tests=error
@@ -39,6 +48,7 @@ sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitize
 lint: lint_packages configure  ## check the format, the C++ and the Python; a warning is an error
 	$(sources) | xargs -0 clang-format --dry-run -Werror
 	$(scripts) | xargs -0 -r $(PYTHON) -m pyflakes
+	$(PYTHON) cmake/readme_table.py README.md $(readme_table) --check
 	$(PYTHON) cmake/clang_tidy.py build/$(PRESET) --jobs $(JOBS)
 
 bench: build  ## time the cycle and its phases; results in build/bench/*.json

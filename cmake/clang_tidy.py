@@ -62,12 +62,14 @@ def main():
     parser.add_argument("--jobs", type=int, default=1)
     arguments = parser.parse_args()
 
-    entries = json.loads(pathlib.Path(arguments.build, "compile_commands.json").read_text())
+    build = pathlib.Path(arguments.build).resolve()
+    entries = json.loads((build / "compile_commands.json").read_text())
+    entries = [entry for entry in entries if not pathlib.Path(entry["file"]).is_relative_to(build)]  # generated
     version = subprocess.run([CLANG_TIDY, "--version"], capture_output=True, check=True).stdout
     common = version + (ROOT / ".clang-tidy").read_bytes()
     STAMPS.mkdir(parents=True, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        clean = list(pool.map(lambda entry: check(entry, arguments.build, common), entries))
+        clean = list(pool.map(lambda entry: check(entry, build, common), entries))
     print(f"clang-tidy: {clean.count(True)} of {len(clean)} sources are clean")
     return 0 if all(clean) else 1
 

@@ -37,7 +37,10 @@ def make_parser() -> argparse.ArgumentParser:
 
     snapshot = commands.add_parser("snapshot", help="a picture of one step, strategies side by side")
     snapshot.add_argument("file", help="result file of a run with --replay")
-    snapshot.add_argument("--case", required=True, metavar="ID", help="case id, or an unambiguous beginning")
+    snapshot.add_argument(
+        "--case", metavar="ID",
+        help="case id, or an unambiguous beginning; needed where replays of several conditions are in the file",
+    )  # fmt: skip
     snapshot.add_argument(
         "--step", default="deepest", metavar="K", help="from 0, or -1, -2, … from the end; default: deepest"
     )

@@ -18,7 +18,7 @@ from matplotlib.style import context
 from . import palette
 from .drawing import draw_step
 from .errors import InputError
-from .store import ResultFile, Step, find_case, siblings
+from .store import ResultFile, Step, find_case, only_case, siblings
 from .view import View, choose_view
 
 PANEL_WIDTH = 3.6  # inches
@@ -31,13 +31,14 @@ DPI = 200
 MOMENT_WORDS = {"found": "before handling", "handled": "after handling", "deformed": "after deformation"}
 
 
-def snapshot(path: str, case_prefix: str, step_text: str, output: str, alone: bool, moment: str) -> str:
-    """Writes the picture to `output` and returns a line that says what is on it."""
+def snapshot(path: str, case_prefix: str | None, step_text: str, output: str, alone: bool, moment: str) -> str:
+    """Writes the picture to `output` and returns a line that says what is on it. Without a case the file's
+    replays must all be under the same conditions."""
     if Path(output).suffix.lower() not in (".png", ".svg"):
         raise InputError(f"{output}: a picture's name ends in .png or .svg")
     with ResultFile(path) as results:
         cases = results.cases_table()
-        case = find_case(cases, case_prefix)
+        case = find_case(cases, case_prefix) if case_prefix else only_case(with_replay(results, cases))
         poses = results.tool_poses(case["case_id"])
         number = choose_step(step_text, poses)
         shown = [case] if alone else [row for _, row in siblings(cases, case).iterrows()]
@@ -54,6 +55,13 @@ def snapshot(path: str, case_prefix: str, step_text: str, output: str, alone: bo
     missing = len(shown) - len(panels)
     note = f"; {missing} more cases under these conditions have no replay of this step" if missing else ""
     return f"{output}: step {number} of {', '.join(row['label'] for row, _ in panels)}{note}"
+
+
+def with_replay(results: ResultFile, cases: pd.DataFrame) -> pd.DataFrame:
+    recorded = cases[[results.has_replay(case_id) for case_id in cases["case_id"]]]
+    if recorded.empty:
+        raise InputError(f"{results.path}: no case has a replay; record one with `trocar run … --replay`")
+    return recorded
 
 
 def choose_step(asked: str, poses: np.ndarray) -> int:

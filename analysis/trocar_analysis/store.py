@@ -27,6 +27,8 @@ CONDITIONS = ("scene", "organ", "tool", "speed", "rate", "release", "fractions",
 
 MOMENTS = ("found", "handled", "deformed")
 
+MOST_LISTED = 20  # cases in a message
+
 
 @dataclass(frozen=True)
 class Step:
@@ -159,6 +161,16 @@ def find_case(cases: pd.DataFrame, prefix: str) -> pd.Series:
         raise unknown("case", prefix, cases["case_id"])
     several = ", ".join(matches["case_id"].head(5))
     raise InputError(f"case '{prefix}' is not unique: {several}; give more of the id")
+
+
+def only_case(cases: pd.DataFrame) -> pd.Series:
+    """The first of `cases` when they are all under the same conditions; else a message that lists them."""
+    if len(cases) == len(siblings(cases, cases.iloc[0])):
+        return cases.iloc[0]
+    shown = [name for name in ("label", *CONDITIONS) if name in cases and cases[name].nunique() > 1]
+    lines = [f"  {row['case_id']}  {', '.join(str(row[name]) for name in shown)}" for _, row in cases.iterrows()]
+    more = f"\n  … and {len(lines) - MOST_LISTED} more" if len(lines) > MOST_LISTED else ""
+    raise InputError("which case? give --case with one of\n" + "\n".join(lines[:MOST_LISTED]) + more)
 
 
 def siblings(cases: pd.DataFrame, case: pd.Series) -> pd.DataFrame:

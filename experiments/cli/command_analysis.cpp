@@ -44,7 +44,8 @@ struct SnapshotOptions {
     bool alone = false;
 
     [[nodiscard]] std::vector<std::string> arguments() const {
-        std::vector<std::string> words{"snapshot", "--case=" + case_id, "--output=" + output};
+        std::vector<std::string> words{"snapshot", "--output=" + output};
+        if (!case_id.empty()) words.push_back("--case=" + case_id);
         if (!step.empty()) words.push_back("--step=" + step);
         if (!moment.empty()) words.push_back("--moment=" + moment);
         if (alone) words.emplace_back("--alone");
@@ -76,8 +77,9 @@ void add_snapshot(CLI::App& app, Program& program) {
     CLI::App* command = app.add_subcommand("snapshot", "Draw one step of a case as a picture");
     command->footer(snapshot_footer);
     command->add_option("RESULTS", options->file, "result file of a run with --replay")->required();
-    command->add_option("--case", options->case_id, "case id, or its beginning where only one begins so")
-        ->required();
+    command->add_option("--case", options->case_id,
+                        "case id, or its beginning where only one begins so; without it, where the file has\n"
+                        "replays of several conditions, the cases are listed");
     command->add_option("--step", options->step,
                         "number from 0, -1 for the last; without it the deepest step");
     command->add_option("--moment", options->moment, "found, handled or deformed; without it handled");

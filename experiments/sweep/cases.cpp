@@ -10,7 +10,8 @@ namespace {
 nlohmann::json to_json(const Options& options) {
     nlohmann::json object = nlohmann::json::object();
     for (const auto& [name, value] : options) {
-        std::visit([&](const auto& plain) { object[name] = plain; }, value);
+        nlohmann::json& member = object[name];
+        std::visit([&](const auto& plain) { member = plain; }, value);
     }
     return object;
 }

@@ -53,16 +53,19 @@ void check_value_exists(const std::vector<CaseInputs>& cases, const std::string&
     throw InputError(fmt::format("--only {}={}: {}", key, value, unknown_name(key, value, names)));
 }
 
+bool matches(const CaseInputs& inputs, const std::string& key, const std::vector<std::string>& allowed) {
+    return std::ranges::any_of(values_of(inputs, key), [&](const std::string& value) {
+        return std::ranges::find(allowed, value) != allowed.end();
+    });
+}
+
 }  // namespace
 
 std::vector<CaseInputs> only(std::vector<CaseInputs> cases, std::span<const std::string> filters) {
-    for (const auto& [key, allowed] : parsed(filters)) {
-        for (const std::string& value : allowed) check_value_exists(cases, key, value);
-        std::erase_if(cases, [&](const CaseInputs& inputs) {
-            return std::ranges::none_of(values_of(inputs, key), [&](const std::string& value) {
-                return std::ranges::find(allowed, value) != allowed.end();
-            });
-        });
+    for (const auto& filter : parsed(filters)) {
+        for (const std::string& value : filter.second) check_value_exists(cases, filter.first, value);
+        std::erase_if(
+            cases, [&](const CaseInputs& inputs) { return !matches(inputs, filter.first, filter.second); });
     }
     return cases;
 }

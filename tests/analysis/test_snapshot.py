@@ -53,6 +53,20 @@ class Snapshot(ProgramTest):
         self.assertIn("of leaves\n", said)
         self.assertEqual(pixels.shape[1], round((7.0 + 2 * 0.08) * 200))
 
+    def test_without_a_case_several_conditions_are_listed(self):
+        done = self.run_program("snapshot", self.file, "-o", self.folder / "x.png")
+        self.assertEqual(done.returncode, 2)
+        said = done.stderr
+        for expected in ("--case", "aa11", "bb33", "dd55", "other speed"):
+            self.assertIn(expected, said)
+        self.assertNotIn("cc44", said)
+
+    def test_without_a_case_the_only_conditions_are_taken(self):
+        cases = [{"case_id": "aa11", "label": "clears"}, {"case_id": "aa22", "label": "leaves"}]
+        write_results(self.file, cases, {"aa11": dent(True), "aa22": dent(False)})
+        said, _ = self.picture()
+        self.assertIn("step 2 of clears, leaves", said)
+
     def test_the_moment_matters(self):
         _, found = self.picture("--case", "bb33", "--alone", "--moment", "found")
         _, handled = self.picture("--case", "bb33", "--alone", "--moment", "handled")

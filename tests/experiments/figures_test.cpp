@@ -67,7 +67,9 @@ TEST(TimeFigures, AreNearestRankQuantiles) {
     EXPECT_EQ(figure(cells, "time_handle_max"), 100);
 }
 
-TEST(TimeFigures, OfOneStepAreThatStep) {
+TEST(TimeFigures, OfFewStepsAreValuesThatOccurred) {
+    EXPECT_EQ(figure(time_figures_of("time_handle", {10, 20, 30}), "time_handle_p50"), 20);
+    EXPECT_EQ(figure(time_figures_of("time_handle", {10, 20, 30}), "time_handle_p95"), 30);
     const auto cells = time_figures_of("time_handle", {7});
     EXPECT_EQ(figure(cells, "time_handle_p50"), 7);
     EXPECT_EQ(figure(cells, "time_handle_p99"), 7);

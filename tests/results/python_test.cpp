@@ -12,8 +12,9 @@ class PythonTest : public StoreTest {
   protected:
     /// Exit status of read_store.py: 0 when the file reads as it should, 77 when a package is missing.
     [[nodiscard]] int run(const std::string& what) const {
-        const auto command = fmt::format("/usr/bin/python3 {}/read_store.py {} '{}' '{}'", TROCAR_TEST_FOLDER,
-                                         what, path("all.h5").string(), path("all & replay.xdmf").string());
+        const auto command =
+            fmt::format("/usr/bin/python3 {}/read_store.py {} '{}' '{}'", TROCAR_TEST_FOLDER, what,
+                        path("all & more.h5").string(), path("all & replay.xdmf").string());
         return WEXITSTATUS(
             std::system(command.c_str()));  // NOLINT(cert-env33-c): a command of the test's own
     }
@@ -25,7 +26,7 @@ class PythonTest : public StoreTest {
         write_case(path("a1.h5"), sample_header(), record);
         const std::vector<Part> parts{{path("a1.h5"), {}}, {written("a2"), {}}};
         const std::vector<std::string> order{"a2", "a1"};
-        merge(path("all.h5"), sample_header(), parts, order);
+        merge(path("all & more.h5"), sample_header(), parts, order);
     }
 };
 
@@ -38,7 +39,7 @@ TEST_F(PythonTest, H5pyPandasAndXarrayReadACampaign) {
 
 TEST_F(PythonTest, XdmfIsWellFormedAndItsDatasetsExist) {
     write_campaign();
-    write_xdmf(path("all.h5"), path("all & replay.xdmf"));
+    write_xdmf(path("all & more.h5"), path("all & replay.xdmf"));
     const int status = run("xdmf");
     if (status == 77) GTEST_SKIP() << "/usr/bin/python3 lacks h5py";
     EXPECT_EQ(status, 0);
