@@ -74,7 +74,8 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
     const Type type = text_type(object);
     const char* const pointer = stored_text(object, name, text);
     const Attribute attribute = create_attribute(object, name, type.id());
-    checked(H5Awrite(attribute.id(), type.id(), &pointer), object, name, cannot_write);
+    checked(H5Awrite(attribute.id(), type.id(), static_cast<const void*>(&pointer)), object, name,
+            cannot_write);
 }
 
 void write_attribute(hid_t object, const std::string& name, std::int64_t number) {

@@ -12,8 +12,8 @@ namespace trocar {
 std::string now_utc();
 
 /// The case's row of /provenance: the program, how it was built, the machine and its load, the command line.
-/// `start` and `end` are the times between which the case ran. Rows name their case, so that a store that keeps
-/// equal rows once numbers them the same way in every run.
+/// `start` and `end` are the times between which the case ran. Rows name their case, so that a store that
+/// keeps equal rows once numbers them the same way in every run.
 /// @param arguments  the command line
 std::vector<Cell> provenance_row(const std::string& case_id, std::span<const std::string> arguments,
                                  const std::string& start, const std::string& end);

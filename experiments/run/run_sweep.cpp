@@ -63,6 +63,7 @@ void merge_done(const RunRequest& request, const DoneCases& done) {
     const bool nothing_new = ids_of_file.size() == 1 && ids_of_file.begin()->first == request.out;
     if (order.empty() || nothing_new) return;
     std::vector<Part> parts;
+    parts.reserve(ids_of_file.size());
     for (const auto& [file, ids] : ids_of_file) parts.push_back({.file = file, .case_ids = ids});
     merge(request.out, request.header, parts, order);
 }

@@ -15,8 +15,8 @@ class PythonTest : public StoreTest {
         const auto command =
             fmt::format("/usr/bin/python3 {}/read_store.py {} '{}' '{}'", TROCAR_TEST_FOLDER, what,
                         path("all & more.h5").string(), path("all & replay.xdmf").string());
-        return WEXITSTATUS(
-            std::system(command.c_str()));  // NOLINT(cert-env33-c): a command of the test's own
+        // A command of the test's own: NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
+        return WEXITSTATUS(std::system(command.c_str()));
     }
 
     /// Cases a2 and a1, in this order, the latter with a replay.
