@@ -90,7 +90,9 @@ void print_outcome(const RunOutcome& outcome, const RunRequest& request, std::ch
                counts.empty() ? "none done" : counts, outcome.kept, outcome.ran, duration_text(wall));
     if (outcome.interrupted) fmt::print("interrupted; the same command goes on from here\n");
     if (stored == 0) return;
-    fmt::print("result file: {}\nlook at it: trocar show {}\n", request.out.string(), request.out.string());
+    fmt::print("result file: {}\n", request.out.string());
+    if (!outcome.xdmf.empty()) fmt::print("for ParaView: {}\n", outcome.xdmf.string());
+    fmt::print("look at it: trocar show {}\n", request.out.string());
 }
 
 int exit_code_of(const RunOutcome& outcome) {

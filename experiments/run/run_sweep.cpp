@@ -13,6 +13,7 @@
 #include "experiments/run/provenance.h"
 #include "experiments/run/run_case.h"
 #include "results/store.h"
+#include "results/xdmf.h"
 
 namespace trocar {
 namespace {
@@ -68,6 +69,16 @@ void merge_done(const RunRequest& request, const DoneCases& done) {
     merge(request.out, request.header, parts, order);
 }
 
+/// Where the result file holds replays: the file beside it through which ParaView opens them. Else an empty
+/// path.
+std::filesystem::path write_xdmf_beside(const RunRequest& request, const DoneCases& done) {
+    const bool any = std::ranges::any_of(done, [](const auto& entry) { return entry.second.has_replay; });
+    if (!any) return {};
+    const std::filesystem::path xdmf = std::filesystem::path(request.out).replace_extension(".xdmf");
+    write_xdmf(request.out, xdmf);
+    return xdmf;
+}
+
 }  // namespace
 
 std::vector<CaseInputs> pending_cases(const RunRequest& request) {
@@ -104,6 +115,7 @@ RunOutcome run_sweep(const RunRequest& request,
     outcome.interrupted = outcome.ran < pending.size();
     merge_done(request, done);
     parts.clear();
+    outcome.xdmf = write_xdmf_beside(request, done);
     std::ranges::sort(outcome.failures);
     for (const CaseInputs& inputs : request.cases) {
         if (is_done(done, inputs, request)) ++outcome.by_status[done.at(inputs.case_id).status];

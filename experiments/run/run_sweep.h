@@ -30,6 +30,7 @@ struct RunOutcome {
     std::size_t kept = 0;               ///< cases that an earlier run had finished
     std::size_t ran = 0;                ///< cases finished now
     bool interrupted = false;           ///< `stop` was requested; unfinished cases are in no file
+    std::filesystem::path xdmf;         ///< opens the replays in ParaView; empty where there are none
 };
 
 /// The cases asked for that no earlier run of this build has finished. Throws InputError (see

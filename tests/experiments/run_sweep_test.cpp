@@ -77,12 +77,18 @@ TEST_F(RunSweep, AnotherBuildRunsEverythingAgain) {
     EXPECT_EQ(read_contents(out_).cases.front().build_id, "build 2");
 }
 
+TEST_F(RunSweep, WithoutReplaysThereIsNothingForParaView) {
+    EXPECT_EQ(run_sweep(request(), silent, {}).xdmf, "");
+}
+
 TEST_F(RunSweep, CasesWithoutReplayRunAgainWhenReplaysAreAskedFor) {
     run_sweep(request(), silent, {});
     RunRequest with_replay = request();
     with_replay.replay = true;
     with_replay.cases.resize(1);
-    EXPECT_EQ(run_sweep(with_replay, silent, {}).ran, 1U);
+    const RunOutcome outcome = run_sweep(with_replay, silent, {});
+    EXPECT_EQ(outcome.ran, 1U);
+    EXPECT_TRUE(std::filesystem::exists(outcome.xdmf)) << "ParaView's way to the replay";
     const Contents contents = read_contents(out_);
     EXPECT_TRUE(contents.cases[0].has_replay);
     EXPECT_FALSE(contents.cases[1].has_replay);
