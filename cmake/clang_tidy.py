@@ -1,7 +1,7 @@
 """Runs clang-tidy on the sources of a build folder and remembers which were clean.
 
-A source is checked again when it, a header of ours that it includes, its compile command, .clang-tidy or the
-version of clang-tidy changed. Stamps of clean sources lie in build/lint/.
+A source is checked again when it, a header of ours that it includes, its compile command, a .clang-tidy that it is
+under or the version of clang-tidy changed. Stamps of clean sources lie in build/lint/.
 """
 
 import argparse
@@ -19,8 +19,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 STAMPS = ROOT / "build" / "lint"
 
 
-def own_headers(entry):
-    """Every file of ours that a source includes, itself among them, as the compiler reports them."""
+def own_files(entry):
+    """Every file of ours that a finding in a source depends on: itself, what it includes, its .clang-tidy files."""
     command = shlex.split(entry["command"])
     compiler = next(i for i, word in enumerate(command) if not word.endswith("ccache"))
     end = command.index("-o")
@@ -30,18 +30,19 @@ def own_headers(entry):
         sys.exit(answer.stderr)
     rule = answer.stdout.replace("\\\n", " ").split(":", 1)[1]
     files = {pathlib.Path(entry["directory"], name).resolve() for name in shlex.split(rule)}
-    return sorted(file for file in files if file.is_relative_to(ROOT))
+    files |= {folder / ".clang-tidy" for folder in pathlib.Path(entry["file"]).parents}
+    return sorted(file for file in files if file.is_relative_to(ROOT) and file.exists())
 
 
-def stamp_of(entry, common):
-    digest = hashlib.sha256(common + entry["command"].encode())
-    for file in own_headers(entry):
+def stamp_of(entry, version):
+    digest = hashlib.sha256(version + entry["command"].encode())
+    for file in own_files(entry):
         digest.update(str(file).encode() + b"\0" + file.read_bytes())
     return STAMPS / digest.hexdigest()
 
 
-def check(entry, build, common):
-    stamp = stamp_of(entry, common)
+def check(entry, build, version):
+    stamp = stamp_of(entry, version)
     name = pathlib.Path(entry["file"]).relative_to(ROOT)
     if stamp.exists():
         return True
@@ -66,10 +67,9 @@ def main():
     entries = json.loads((build / "compile_commands.json").read_text())
     entries = [entry for entry in entries if not pathlib.Path(entry["file"]).is_relative_to(build)]  # generated
     version = subprocess.run([CLANG_TIDY, "--version"], capture_output=True, check=True).stdout
-    common = version + (ROOT / ".clang-tidy").read_bytes()
     STAMPS.mkdir(parents=True, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        clean = list(pool.map(lambda entry: check(entry, build, common), entries))
+        clean = list(pool.map(lambda entry: check(entry, build, version), entries))
     print(f"clang-tidy: {clean.count(True)} of {len(clean)} sources are clean")
     return 0 if all(clean) else 1
 

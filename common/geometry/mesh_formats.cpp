@@ -1,24 +1,14 @@
 #include "common/geometry/mesh_formats.h"
 
 #include <algorithm>
-#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "common/geometry/mesh_error.h"
 #include "common/geometry/mesh_scan.h"
 
 namespace trocar {
 namespace {
-
-constexpr Index most_entries = std::numeric_limits<Index>::max();
-
-Vec3 read_position(MeshScanner& scanner) {
-    const double x = scanner.number("coordinate x, a finite number");
-    const double y = scanner.number("coordinate y, a finite number");
-    const double z = scanner.number("coordinate z, a finite number");
-    return {x, y, z};
-}
 
 void require_triangle(const MeshScanner& scanner, std::int64_t corners) {
     if (corners == 3) return;
@@ -26,95 +16,92 @@ void require_triangle(const MeshScanner& scanner, std::int64_t corners) {
                              corners));
 }
 
-// OFF, or that with letters in front for what else a vertex has, all of which follows its coordinates.
-void read_off_keyword(MeshScanner& scanner) {
+// The numbers of vertices and facets.
+std::pair<std::int64_t, std::int64_t> read_off_header(MeshScanner& scanner) {
+    if (!scanner.next_line()) scanner.fail_at_end("the word OFF");
     std::string_view word = scanner.word("the word OFF");
-    for (const std::string_view extra : {"ST", "C", "N"}) {
-        if (word.starts_with(extra)) word.remove_prefix(extra.size());
+    // Letters in front say what else a vertex has, all of which follows its coordinates.
+    for (const std::string_view letters : {"ST", "C", "N"}) {
+        if (word.starts_with(letters)) word.remove_prefix(letters.size());
     }
     if (word != "OFF") scanner.fail_expected("the word OFF");
-}
-
-struct OffCounts {
-    std::int64_t vertices, facets;
-};
-
-OffCounts read_off_counts(MeshScanner& scanner) {
     if (!scanner.line_has_more() && !scanner.next_line()) {
         scanner.fail_at_end("the numbers of vertices and facets");
     }
     const std::int64_t vertices = scanner.integer("the number of vertices");
-    const std::int64_t facets = scanner.integer("the number of facets");
-    return {vertices, facets};
-}
-
-// Faces may come before the vertices they name, so their numbers are checked at the end.
-struct ObjFacet {
-    Facet corners;
-    std::size_t line;
-};
-
-std::int64_t read_obj_corner(MeshScanner& scanner, std::size_t vertices_so_far) {
-    const auto known = static_cast<std::int64_t>(vertices_so_far);
-    const std::int64_t number = scanner.integer("a vertex number, counted from 1,", -known, most_entries);
-    if (number == 0) scanner.fail_expected("a vertex number, counted from 1 (or from -1 backwards)");
-    return number > 0 ? number - 1 : known + number;
+    return {vertices, scanner.integer("the number of facets")};
 }
 
 }  // namespace
 
-SurfaceMesh parse_off(const std::string& file, std::string_view content) {
+MeshText prepare_off(const std::string& file, std::string_view content) {
     MeshScanner scanner(file, content);
-    if (!scanner.next_line()) scanner.fail_at_end("the word OFF");
-    read_off_keyword(scanner);
-    const OffCounts counts = read_off_counts(scanner);
-
-    SurfaceMesh mesh;
-    // The header is not believed where the file is too short for it: a wrong one must not cost memory.
-    constexpr std::size_t shortest_line = 6;  // bytes of "0 0 0" and what ends it
-    const auto most_lines = static_cast<std::int64_t>(scanner.bytes_left() / shortest_line);
-    mesh.positions.reserve(std::min(counts.vertices, most_lines));
-    mesh.facets.reserve(std::min(counts.facets, most_lines));
-    for (std::int64_t i = 0; i < counts.vertices; ++i) {
-        if (!scanner.next_line()) scanner.fail_at_end(fmt::format("vertex {} of {}", i + 1, counts.vertices));
-        mesh.positions.push_back(read_position(scanner));
+    const auto [vertices, facets] = read_off_header(scanner);
+    // CGAL allocates what the header says. A line takes at least "0 0 0" or "3 0 1 2" and what ends it.
+    const std::string_view lines = scanner.rest();
+    if (6.0 * static_cast<double>(vertices) + 8.0 * static_cast<double>(facets) >
+        static_cast<double>(lines.size()) + 1) {
+        scan_off(file, content);
     }
-    for (std::int64_t i = 0; i < counts.facets; ++i) {
-        if (!scanner.next_line()) scanner.fail_at_end(fmt::format("facet {} of {}", i + 1, counts.facets));
-        require_triangle(scanner, scanner.integer("a facet's number of corners"));
-        Facet& facet = mesh.facets.emplace_back();
-        for (Index& corner : facet) {
-            corner = static_cast<Index>(scanner.integer("a vertex number", 0, counts.vertices - 1));
-        }
-    }
-    return mesh;
+    // Told of colours, it would read past the end of a line without; not told, it skips them.
+    return {fmt::format("OFF {} {} 0\n{}", vertices, facets, lines), static_cast<std::size_t>(facets)};
 }
 
-SurfaceMesh parse_obj(const std::string& file, std::string_view content) {
+void scan_off(const std::string& file, std::string_view content) {
     MeshScanner scanner(file, content);
-    SurfaceMesh mesh;
-    std::vector<std::size_t> lines;
+    const auto [vertices, facets] = read_off_header(scanner);
+    for (std::int64_t i = 1; i <= vertices; ++i) {
+        if (!scanner.next_line()) scanner.fail_at_end(fmt::format("vertex {} of {}", i, vertices));
+        scanner.position();
+    }
+    for (std::int64_t i = 1; i <= facets; ++i) {
+        if (!scanner.next_line()) scanner.fail_at_end(fmt::format("facet {} of {}", i, facets));
+        require_triangle(scanner, scanner.integer("a facet's number of corners"));
+        for (int corner = 0; corner < 3; ++corner) scanner.integer("a vertex number", 0, vertices - 1);
+    }
+}
+
+MeshText prepare_obj(const std::string& file, std::string_view content) {
+    MeshScanner scanner(file, content);
+    MeshText prepared;
     while (scanner.next_line()) {
         const std::string_view keyword = scanner.word("a keyword");
-        if (keyword == "v") mesh.positions.push_back(read_position(scanner));
-        if (keyword != "f") continue;
-        Facet& facet = mesh.facets.emplace_back();
-        lines.push_back(scanner.line());
-        std::size_t corners = 0;
-        for (; scanner.line_has_more(); ++corners) {
-            const std::int64_t vertex = read_obj_corner(scanner, mesh.positions.size());
-            if (corners < facet.size()) facet[corners] = static_cast<Index>(vertex);
-        }
-        require_triangle(scanner, static_cast<std::int64_t>(corners));
-    }
-    for (std::size_t f = 0; f < lines.size(); ++f) {
-        for (const Index vertex : mesh.facets[f]) {
-            if (static_cast<std::size_t>(vertex) < mesh.positions.size()) continue;
-            throw MeshError(fmt::format("{}:{}: expected a vertex number from 1 to {}, found {}", file,
-                                        lines[f], mesh.positions.size(), std::int64_t{vertex} + 1));
+        // CGAL does not know every other keyword.
+        if (keyword != "v" && keyword != "f") continue;
+        prepared.text.append(scanner.line()).append("\n");
+        if (keyword == "v") continue;
+        ++prepared.facets;
+        while (scanner.line_has_more()) {
+            const std::string_view corner = scanner.word("a corner");
+            if (corner.substr(0, corner.find('/')).find_first_not_of("+-0") != std::string_view::npos)
+                continue;
+            // CGAL takes 0 for the vertex that the file defines next.
+            scanner.fail_expected("a vertex number from 1 (or -1)");
         }
     }
-    return mesh;
+    std::ranges::replace(prepared.text, '\t', ' ');  // nor does it know other blanks between corners
+    return prepared;
+}
+
+void scan_obj(const std::string& file, std::string_view content) {
+    MeshScanner scanner(file, content);
+    std::int64_t vertices = 0, vertices_so_far = 0;
+    for (MeshScanner ahead = scanner; ahead.next_line();) {
+        if (ahead.word("a keyword") == "v") ++vertices;
+    }
+    while (scanner.next_line()) {
+        const std::string_view keyword = scanner.word("a keyword");
+        if (keyword == "v") {
+            scanner.position();
+            ++vertices_so_far;
+        } else if (keyword == "f") {
+            std::int64_t corners = 0;
+            for (; scanner.line_has_more(); ++corners) {
+                scanner.integer("a vertex number", -vertices_so_far, vertices);
+            }
+            require_triangle(scanner, corners);
+        }
+    }
 }
 
 }  // namespace trocar

@@ -1,27 +1,29 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
-#include "common/geometry/surface_mesh.h"
-
 namespace trocar {
 
-/// Reads the content of a mesh file of each format. `file` is only named in messages. Each throws MeshError
-/// at the first thing that is not as it should be; facets that are no triangles and vertex numbers out of
-/// range are among them. What a format has beyond positions and facets (normals, colours, textures) is left
-/// out.
+// CGAL reads the formats. It trusts a file more than is safe, and says only "false" about a bad one. What is
+// done about that is here. `file` is only named in messages.
 
-/// Text OFF, and its variants with normals, colours or texture coordinates. One vertex or facet a line.
-SurfaceMesh parse_off(const std::string& file, std::string_view content);
+/// What CGAL is given to read.
+struct MeshText {
+    std::string text;
+    std::size_t facets = 0;  ///< so many must come out
+};
 
-/// Wavefront OBJ; vertex numbers below zero count backwards from the vertex defined last.
-SurfaceMesh parse_obj(const std::string& file, std::string_view content);
+/// Makes of a file's content what CGAL reads safely and rightly. Throws MeshError where nothing here can.
+MeshText prepare_off(const std::string& file, std::string_view content);
+MeshText prepare_obj(const std::string& file, std::string_view content);
+MeshText prepare_stl(const std::string& file, std::string_view content);
+MeshText prepare_ply(const std::string& file, std::string_view content);
 
-/// STL, text or binary. Corners at exactly the same position become one vertex.
-SurfaceMesh parse_stl(const std::string& file, std::string_view content);
-
-/// PLY, text or binary.
-SurfaceMesh parse_ply(const std::string& file, std::string_view content);
+/// For a text that CGAL could not read: throws MeshError at its first bad place. Returns when it finds none.
+void scan_off(const std::string& file, std::string_view content);
+void scan_obj(const std::string& file, std::string_view content);
+void scan_stl(const std::string& file, std::string_view content);
 
 }  // namespace trocar

@@ -5,10 +5,15 @@
 #include <cctype>
 #include <cmath>
 #include <fstream>
+#include <new>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <boost/container/static_vector.hpp>
 #include <fmt/format.h>
 
 #include "common/geometry/mesh_formats.h"
@@ -16,13 +21,39 @@
 namespace trocar {
 namespace {
 
-struct Format {
-    std::string_view extension;
-    SurfaceMesh (*parse)(const std::string& file, std::string_view content);
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+// A fourth corner throws. CGAL makes room for as many as the file says.
+using Corners = boost::container::static_vector<Index, 3>;
+
+// What CGAL's readers fill, unchecked.
+struct Soup {
+    std::vector<Point> points;
+    std::vector<Corners> facets;
 };
 
-constexpr std::array formats = {Format{".off", parse_off}, Format{".obj", parse_obj},
-                                Format{".stl", parse_stl}, Format{".ply", parse_ply}};
+struct Format {
+    std::string_view extension;
+    MeshText (*prepare)(const std::string& file, std::string_view content);
+    bool (*read)(std::istream& stream, Soup& soup);
+    void (*scan)(const std::string& file, std::string_view content);
+};
+
+constexpr std::array formats = {
+    Format{".off", prepare_off,
+           [](auto& stream, auto& soup) { return CGAL::IO::read_OFF(stream, soup.points, soup.facets); },
+           scan_off},
+    Format{".obj", prepare_obj,
+           [](auto& stream, auto& soup) { return CGAL::IO::read_OBJ(stream, soup.points, soup.facets); },
+           scan_obj},
+    Format{".stl", prepare_stl,
+           [](auto& stream, auto& soup) { return CGAL::IO::read_STL(stream, soup.points, soup.facets); },
+           scan_stl},
+    Format{".ply", prepare_ply,
+           [](auto& stream, auto& soup) {
+               return CGAL::IO::read_PLY(stream, soup.points, soup.facets, CGAL::parameters::verbose(false));
+           },
+           nullptr},
+};
 
 // Below this all numbers of vertices, facets and corners fit an Index.
 constexpr std::uintmax_t longest_file = std::uintmax_t{4} << 30U;  // bytes
@@ -58,13 +89,61 @@ std::string read_file(const std::filesystem::path& file) {
     return content;
 }
 
+// Throws MeshError where CGAL fails, or takes for a mesh what is none.
+SurfaceMesh read_prepared(const std::string& file, const Format& format, MeshText prepared) {
+    if (prepared.facets == 0) throw MeshError(file + ": expected triangles, found no facet");
+    std::istringstream stream(std::move(prepared.text));
+    Soup soup;
+    bool read = true;
+    try {
+        read = format.read(stream, soup);
+    } catch (const std::bad_alloc&) {
+        read = false;  // a fourth corner; its facet stays empty
+    }
+    SurfaceMesh mesh;
+    mesh.positions.reserve(soup.points.size());
+    mesh.facets.reserve(soup.facets.size());
+    for (const Point& p : soup.points) {
+        if (mesh.positions.emplace_back(p.x(), p.y(), p.z()).allFinite()) continue;
+        throw MeshError(fmt::format("{}: vertex {} (counted from 0): expected finite coordinates", file,
+                                    mesh.positions.size() - 1));
+    }
+    const auto is_lost = [&](Index v) { return v < 0 || std::cmp_greater_equal(v, soup.points.size()); };
+    for (const Corners& corners : soup.facets) {
+        if (corners.size() != 3) {
+            throw MeshError(
+                fmt::format("{}: facet {} (counted from 0): expected a triangle: triangulate the mesh first",
+                            file, mesh.facets.size()));
+        }
+        if (const auto lost = std::ranges::find_if(corners, is_lost); lost != corners.end()) {
+            throw MeshError(
+                fmt::format("{}: facet {} (counted from 0): expected vertex numbers from 0 to {}, found {}",
+                            file, mesh.facets.size(), std::ssize(soup.points) - 1, *lost));
+        }
+        mesh.facets.push_back({corners[0], corners[1], corners[2]});
+    }
+    if (!read || mesh.facets.size() != prepared.facets) {
+        throw MeshError(
+            fmt::format("{}: expected {} facets, could read {} vertices and {} facets: the file is "
+                        "cut off, damaged or of a kind that CGAL does not read",
+                        file, prepared.facets, mesh.positions.size(), mesh.facets.size()));
+    }
+    return mesh;
+}
+
 }  // namespace
 
 SurfaceMesh read_mesh(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    const Format& format = format_of(file);
     const std::string content = read_file(file);
-    SurfaceMesh mesh = format_of(file).parse(file.string(), content);
-    if (mesh.facets.empty()) throw MeshError(file.string() + ": expected triangles, found no facet");
-    return mesh;
+    MeshText prepared = format.prepare(name, content);
+    try {
+        return read_prepared(name, format, std::move(prepared));
+    } catch (const MeshError&) {
+        if (format.scan != nullptr) format.scan(name, content);
+        throw;
+    }
 }
 
 void scale_to_size(SurfaceMesh& mesh, double size) {

@@ -45,28 +45,29 @@ bool MeshScanner::next_line() {
         line_ = line_rest_ = line;
         word_ = {};
         line_number_ = number;
-        skip_blanks();
         return true;
     }
     return false;
 }
 
-void MeshScanner::skip_blanks() {
-    line_rest_.remove_prefix(std::min(line_rest_.find_first_not_of(blanks), line_rest_.size()));
+bool MeshScanner::line_has_more() const {
+    return line_rest_.find_first_not_of(blanks) != std::string_view::npos;
 }
 
 std::string_view MeshScanner::word(std::string_view expected) {
+    line_rest_.remove_prefix(std::min(line_rest_.find_first_not_of(blanks), line_rest_.size()));
     word_ = line_rest_.substr(0, line_rest_.find_first_of(blanks));
     if (word_.empty()) fail_expected(expected);
     line_rest_.remove_prefix(word_.size());
-    skip_blanks();
     return word_;
 }
 
-double MeshScanner::number(std::string_view expected) {
-    double number = 0;
-    if (!parse(word(expected), number) || !std::isfinite(number)) fail_expected(expected);
-    return number;
+void MeshScanner::position() {
+    for (const std::string_view expected : {"coordinate x, a finite number", "coordinate y, a finite number",
+                                            "coordinate z, a finite number"}) {
+        double number = 0;
+        if (!parse(word(expected), number) || !std::isfinite(number)) fail_expected(expected);
+    }
 }
 
 std::int64_t MeshScanner::integer(std::string_view expected, std::int64_t low, std::int64_t high) {

@@ -21,11 +21,11 @@ class MeshScanner {
     /// Goes to the next line that has a word. False, and nothing moves, when there is none.
     bool next_line();
 
-    [[nodiscard]] bool line_has_more() const { return !line_rest_.empty(); }
+    [[nodiscard]] bool line_has_more() const;
     /// The next word of the line; fails, saying what was expected, when the line ends here.
     std::string_view word(std::string_view expected);
-    /// The next word as a finite number.
-    double number(std::string_view expected);
+    /// The next three words as finite coordinates.
+    void position();
     /// The next word, or its part before a slash, as a whole number in [low, high].
     std::int64_t integer(std::string_view expected, std::int64_t low = 0, std::int64_t high = unlimited);
 
@@ -35,13 +35,12 @@ class MeshScanner {
     /// Throws MeshError for a file that ends where something is `expected`.
     [[noreturn]] void fail_at_end(std::string_view expected) const;
 
-    [[nodiscard]] std::size_t line() const { return line_number_; }
-    /// How much text follows this line.
-    [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
+    /// This line, without comment.
+    [[nodiscard]] std::string_view line() const { return line_; }
+    /// The text after it.
+    [[nodiscard]] std::string_view rest() const { return rest_; }
 
   private:
-    void skip_blanks();
-
     std::string file_;
     std::string_view rest_;       // the lines after this one
     std::string_view line_;       // this one, without comment

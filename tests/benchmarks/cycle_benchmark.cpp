@@ -5,6 +5,7 @@
 #include <string>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include "common/cycle/cycle.h"
 #include "common/geometry/organ_shapes.h"
@@ -88,7 +89,7 @@ void time_cycle(benchmark::State& state, const std::string& strategy_name, const
 int main(int argc, char** argv) {
     for (const std::string strategy : {"nearest-face", "fuzzy-per-vertex"}) {
         for (const std::string organ : {"sphere@4mm", "sphere@2mm"}) {
-            const std::string name = "cycle/" + strategy + "/" + organ;
+            const std::string name = fmt::format("cycle/{}/{}", strategy, organ);
             benchmark::RegisterBenchmark(name.c_str(), trocar::time_cycle, strategy, organ)
                 ->UseManualTime()
                 ->Iterations(20)

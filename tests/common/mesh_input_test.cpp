@@ -10,6 +10,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
+#include <sys/resource.h>
 
 namespace trocar {
 namespace {
@@ -22,9 +24,9 @@ const std::string good_off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3
 class MeshInput : public testing::Test {
   protected:
     void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) /
-                  (std::string("trocar_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-        fs::create_directories(folder_);
+        std::string name = (fs::temp_directory_path() / "trocar-meshes-XXXXXX").string();
+        ASSERT_NE(mkdtemp(name.data()), nullptr);
+        folder_ = name;
     }
     void TearDown() override { fs::remove_all(folder_); }
 
@@ -85,7 +87,7 @@ std::string as_stl_text(const SurfaceMesh& mesh) {
 }
 
 std::string as_stl_binary(const SurfaceMesh& mesh) {
-    std::string content = "solid that is binary all the same";
+    std::string content = "solid endsolid but binary all the same";
     content.resize(80, ' ');
     content += bytes(static_cast<std::uint32_t>(mesh.facets.size()));
     for (const Facet& facet : mesh.facets) {
@@ -152,6 +154,46 @@ TEST_F(MeshInput, ReadsStlAndWeldsIt) {
     expect_tetrahedron("zero.stl", replaced(as_stl_text(mesh), "vertex 0", "vertex -0.0"));
 }
 
+TEST_F(MeshInput, ReadsWhatCgalAloneWouldRefuseOrMisread) {
+    // Normals and colours that are announced but missing.
+    expect_tetrahedron("c.off", replaced(good_off, "OFF\n4 4 6", "STCNOFF\n4 4"));
+    expect_tetrahedron("tabs.obj",
+                       "v\t0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nl 1 2\nf\t1\t3\t2\nf 1\t2 4\n"
+                       "f 2/1\t3/2\t4\nf 3 1 4\n");
+    const SurfaceMesh mesh = read_mesh(write("a.off", good_off));
+    expect_tetrahedron("name.stl", replaced(as_stl_text(mesh), "solid a name", "solid a solid facet"));
+    expect_tetrahedron("tab.stl", replaced(as_stl_text(mesh), "solid ", "solid\t"));
+    const std::string colours =
+        "property uchar red\nproperty uchar g\nproperty float green\nproperty uchar blue\n";
+    std::string ply = replaced(as_ply_binary(mesh), "element face", colours + "element face");
+    const std::size_t vertices = ply.find("end_header\n") + 11;
+    for (std::size_t v = 4; v > 0; --v) ply.insert(vertices + v * 12, 7, 'c');
+    expect_tetrahedron("colours.ply", ply);
+}
+
+TEST_F(MeshInput, RefusesWhatCgalAloneWouldTakeForAMesh) {
+    // Cut off, and shorter than the header of a binary file.
+    EXPECT_THAT(error_of("a.stl", "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n"),
+                HasSubstr("a.stl: expected facet or endsolid after line 6"));
+    EXPECT_THAT(
+        error_of("a.stl", replaced(as_stl_text(read_mesh(write("good.off", good_off))), " facet", " face")),
+        HasSubstr("a.stl:2:2: expected facet, solid or endsolid, found \"face\""));
+    EXPECT_THAT(error_of("a.obj", "v 0 0 0\nv 1 0 0\nf 0 1 2\nv 0 1 0\n"),
+                HasSubstr("a.obj:3:3: expected a vertex number from 1"));
+    EXPECT_THAT(error_of("a.off", replaced(good_off, "3 2 0 3", "3e9 2 0 3")),
+                HasSubstr("a.off:10:1: expected a facet's number of corners, found \"3e9\""));
+    EXPECT_THAT(error_of("a.ply", replaced(good_ply, "float z", "float height")), HasSubstr("x, y and z"));
+}
+
+TEST_F(MeshInput, RefusesOtherFilesUnderItsExtensions) {
+    std::string compressed = "\x1f\x8b\x08";
+    for (int i = 0; i < 1000; ++i) compressed += static_cast<char>(i * i % 251);
+    EXPECT_THAT(error_of("a.off", compressed), HasSubstr("a.off:1:1: expected the word OFF"));
+    EXPECT_EQ(error_of("a.obj", compressed), "a.obj: expected triangles, found no facet");
+    EXPECT_THAT(error_of("a.stl", compressed), HasSubstr("expected STL"));
+    EXPECT_THAT(error_of("a.ply", compressed), HasSubstr("a.ply:1:1: expected the word ply"));
+}
+
 TEST_F(MeshInput, ReadsPly) {
     expect_tetrahedron("text.ply", good_ply);
     expect_tetrahedron("binary.ply", as_ply_binary(read_mesh(write("a.off", good_off))));
@@ -192,13 +234,21 @@ TEST_F(MeshInput, DoesNotBelieveHugeCounts) {
               "a.off: expected vertex 2 of 4000000000 after line 3, found the end of the file: it seems to "
               "be cut off");
     EXPECT_THAT(error_of("a.ply", replaced(good_ply, "face 4", "face 4000000000")),
-                HasSubstr("4000000000 facets take"));
+                HasSubstr("expected 4000000000 facets, could read 4 vertices and 4 facets"));
     EXPECT_THAT(error_of("a.ply", replaced(good_ply, "uchar int", "int int")),
                 HasSubstr("uchar as the type"));
     std::string stl = as_stl_binary(read_mesh(write("good.off", good_off)));
     stl[0] = 'S';
     stl.replace(80, 4, 4, '\xff');
     EXPECT_THAT(error_of("a.stl", stl), HasSubstr("found 284 bytes with 4294967295 facets promised"));
+}
+
+TEST_F(MeshInput, TakesNoMemoryForAHeaderThatPromisesTooMuch) {
+    rusage before{}, after{};
+    getrusage(RUSAGE_SELF, &before);
+    EXPECT_THAT(error_of("a.off", "OFF\n1 20000000 0\n0 0 0\n"), HasSubstr("expected facet 1 of 20000000"));
+    getrusage(RUSAGE_SELF, &after);
+    EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 100'000);  // kB
 }
 
 TEST_F(MeshInput, SaysWhereAnObjIsWrong) {
@@ -208,7 +258,7 @@ TEST_F(MeshInput, SaysWhereAnObjIsWrong) {
                           "with 4 corners: triangulate the mesh first"));
     EXPECT_THAT(error_of("a.obj", vertices + "f 1 2\n"), HasSubstr("a facet with 2 corners"));
     EXPECT_EQ(error_of("a.obj", vertices + "f 1 2 3\n\nf 1 2 5\n"),
-              "a.obj:7: expected a vertex number from 1 to 4, found 5");
+              "a.obj:7:7: expected a vertex number from -4 to 4, found \"5\"");
     EXPECT_THAT(error_of("a.obj", vertices + "f 1 2 0\n"), HasSubstr("a.obj:5:7: expected a vertex number"));
     EXPECT_THAT(error_of("a.obj", vertices + "f 1 2 -5\n"), HasSubstr("a.obj:5:7: expected a vertex number"));
     EXPECT_EQ(error_of("a.obj", "v 0 NaN 0\n"),
@@ -227,6 +277,7 @@ TEST_F(MeshInput, SaysWhereAnStlIsWrong) {
     const std::string binary = as_stl_binary(mesh);
     EXPECT_THAT(error_of("a.stl", replaced(binary.substr(0, binary.size() - 1), "solid", "Solid")),
                 HasSubstr("found 283 bytes with 4 facets promised"));
+    EXPECT_THAT(error_of("a.stl", binary + "x"), HasSubstr("found 285 bytes with 4 facets promised"));
     std::string strange = binary;
     strange.replace(84 + 50 + 12, 4, bytes(std::numeric_limits<float>::quiet_NaN()));
     EXPECT_THAT(error_of("a.stl", strange),
@@ -246,7 +297,7 @@ TEST_F(MeshInput, SaysWhatIsWrongWithAPly) {
     EXPECT_THAT(error_of("a.ply", replaced(good_ply, "comment", "element vertex 4\ncomment")),
                 HasSubstr("each once"));
     EXPECT_THAT(error_of("a.ply", good_ply.substr(0, good_ply.size() - 8)),
-                HasSubstr("vertices and 4 facets"));
+                HasSubstr("expected 4 facets, could read 4 vertices and 3 facets: the file is cut off"));
     EXPECT_THAT(error_of("a.ply", replaced(good_ply, "3 2 0 3", "3 2 0 9")),
                 HasSubstr("facet 3 (counted from 0): expected "
                           "vertex numbers from 0 to 3"));
@@ -254,7 +305,7 @@ TEST_F(MeshInput, SaysWhatIsWrongWithAPly) {
     EXPECT_THAT(error_of("a.ply", replaced(good_ply, "3 2 0 3", "4 2 0 3 1")), HasSubstr("triangulate"));
     std::string binary = as_ply_binary(read_mesh(write("good.off", good_off)));
     EXPECT_THAT(error_of("a.ply", binary.substr(0, binary.size() - 1)),
-                HasSubstr("expected 4 vertices and 4 facets"));
+                HasSubstr("expected 4 facets, could read 4 vertices and 3 facets"));
     binary.replace(binary.find("end_header\n") + 11, 4, bytes(std::numeric_limits<float>::infinity()));
     EXPECT_THAT(error_of("a.ply", binary), HasSubstr("finite"));
 }

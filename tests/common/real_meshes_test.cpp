@@ -1,10 +1,11 @@
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <system_error>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Simple_cartesian.h>
 #include <gtest/gtest.h>
 
 #include "common/geometry/mesh_input.h"
@@ -15,49 +16,60 @@ namespace {
 namespace fs = std::filesystem;
 
 // Meshes of organs and other things that are too large for this tree: the folder TROCAR_MESHES, or the one
-// beside the sources.
-std::vector<fs::path> real_meshes() {
+// beside the sources. Its table README.tsv says what they are.
+fs::path folder_of_meshes() {
     const char* named = std::getenv("TROCAR_MESHES");
-    const fs::path folder =
-        named != nullptr ? fs::path(named) : fs::path(TROCAR_SOURCE_DIR) / "../shared/meshes";
-    std::vector<fs::path> files;
-    std::error_code none;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
-        const std::string extension = entry.path().extension().string();
-        if (extension == ".off" || extension == ".obj") files.push_back(entry.path());
-    }
-    return files;
+    return named != nullptr ? fs::path(named) : fs::path(TROCAR_SOURCE_DIR) / "../shared/meshes";
 }
 
-TEST(RealMeshes, AreReadAsCgalReadsThem) {
-    const std::vector<fs::path> files = real_meshes();
-    if (files.empty()) GTEST_SKIP() << "no meshes: set TROCAR_MESHES to a folder of .off and .obj files";
-    for (const fs::path& file : files) {
-        std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-        std::vector<std::vector<std::size_t>> polygons;
-        ASSERT_TRUE(CGAL::IO::read_polygon_soup(file.string(), points, polygons)) << file;
-        const SurfaceMesh mesh = read_mesh(file);
-        ASSERT_EQ(mesh.positions.size(), points.size()) << file;
-        ASSERT_EQ(mesh.facets.size(), polygons.size()) << file;
-        for (std::size_t v = 0; v < points.size(); ++v) {
-            ASSERT_EQ(mesh.positions[v], Vec3(points[v].x(), points[v].y(), points[v].z()))
-                << file << " vertex " << v;
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, '\t');) cells.push_back(cell);
+    return cells;
+}
+
+// Each line of the table as cells by the name of their column.
+std::vector<std::map<std::string, std::string>> real_meshes() {
+    std::ifstream table(folder_of_meshes() / "README.tsv");
+    std::string line;
+    std::getline(table, line);
+    const std::vector<std::string> columns = cells_of(line);
+    std::vector<std::map<std::string, std::string>> meshes;
+    while (std::getline(table, line)) {
+        const std::vector<std::string> cells = cells_of(line);
+        for (auto& mesh = meshes.emplace_back(); mesh.size() < cells.size();) {
+            const std::size_t column = mesh.size();
+            mesh[columns.at(column)] = cells[column];
         }
-        for (std::size_t f = 0; f < polygons.size(); ++f) {
-            ASSERT_TRUE(std::ranges::equal(mesh.facets[f], polygons[f])) << file << " facet " << f;
-        }
+    }
+    return meshes;
+}
+
+TEST(RealMeshes, AreWhatTheirTableSays) {
+    const auto meshes = real_meshes();
+    if (meshes.empty()) GTEST_SKIP() << "no README.tsv with meshes: set TROCAR_MESHES to their folder";
+    for (const auto& mesh : meshes) {
+        SCOPED_TRACE(mesh.at("file"));
+        SurfaceMesh read = read_mesh(folder_of_meshes() / mesh.at("file"));
+        EXPECT_EQ(read.positions.size(), std::stoul(mesh.at("V")));
+        EXPECT_EQ(read.facets.size(), std::stoul(mesh.at("F")));
+        const double volume = std::stod(mesh.at("volume"));
+        EXPECT_NEAR(signed_volume(read), volume, 1e-4 * volume);
+        EXPECT_EQ(check_mesh(read).closed, mesh.at("closed") == "yes");
     }
 }
 
 TEST(RealMeshes, MakeClosedOrgansOfTheAskedSize) {
-    const std::vector<fs::path> files = real_meshes();
-    if (files.empty()) GTEST_SKIP() << "no meshes: set TROCAR_MESHES to a folder of .off and .obj files";
-    for (const fs::path& file : files) {
-        const OrganInput input = read_organ(file, 100);
-        EXPECT_TRUE(input.findings.empty()) << file;
-        EXPECT_TRUE(input.organ.adjacency.closed()) << file;
-        EXPECT_GT(signed_volume(input.organ.rest), 0) << file;
-        EXPECT_NEAR(bounding_box(input.organ.rest.positions).size().maxCoeff(), 100, 1e-9) << file;
+    const auto meshes = real_meshes();
+    if (meshes.empty()) GTEST_SKIP() << "no README.tsv with meshes: set TROCAR_MESHES to their folder";
+    for (const auto& mesh : meshes) {
+        SCOPED_TRACE(mesh.at("file"));
+        const OrganInput input = read_organ(folder_of_meshes() / mesh.at("file"), 100);
+        EXPECT_TRUE(input.findings.empty());
+        EXPECT_TRUE(input.organ.adjacency.closed());
+        EXPECT_GT(signed_volume(input.organ.rest), 0);
+        EXPECT_NEAR(bounding_box(input.organ.rest.positions).size().maxCoeff(), 100, 1e-9);
     }
 }
 
