@@ -6,10 +6,11 @@
 
 namespace trocar {
 
-/// The organ's material and how it is integrated. Both stiffnesses belong to the material and not to the mesh: a
-/// finer mesh of the same organ is as stiff. The defaults are a soft organ's, chosen by how it should look and before
-/// any strategy was measured: a dent spreads over about √(edge_stiffness / rest_stiffness) = 14 mm, and creeps back,
-/// without ringing, with a time constant of damping · density / rest_stiffness = 0.08 s.
+/// The organ's material and how it is integrated. Both stiffnesses belong to the material and not to the
+/// mesh: a finer mesh of the same organ is as stiff. The defaults are a soft organ's, chosen by how it should
+/// look and before any strategy was measured: a dent spreads over about √(edge_stiffness / rest_stiffness) =
+/// 14 mm, and creeps back, without ringing, with a time constant of damping · density / rest_stiffness = 0.08
+/// s.
 struct SpringSettings {
     double density = 2e-3;        ///< mass of the surface per area, g/mm²
     double edge_stiffness = 2e4;  ///< of the spring along each edge, g/s² (= mN/m)

@@ -169,11 +169,11 @@ TEST_P(Surface, StaysFiniteWhenVerticesAreDraggedAt2000mmPerSecond) {
 }
 
 INSTANTIATE_TEST_SUITE_P(StiffnessOverSevenDecades, Surface,
-                         testing::Values(Material{2e4, 100, 4000}, Material{2e4, 500, 20}, Material{2e1, 5e-1, 20},
-                                         Material{2e2, 5e0, 20}, Material{2e3, 5e1, 20},
-                                         Material{2e5, 5e3, 20}, Material{2e6, 5e4, 20},
-                                         Material{2e7, 5e5, 20}, Material{2e8, 5e6, 20},
-                                         Material{2e4, 500, 1}),
+                         testing::Values(Material{2e4, 100, 4000}, Material{2e4, 500, 20},
+                                         Material{2e1, 5e-1, 20}, Material{2e2, 5e0, 20},
+                                         Material{2e3, 5e1, 20}, Material{2e5, 5e3, 20},
+                                         Material{2e6, 5e4, 20}, Material{2e7, 5e5, 20},
+                                         Material{2e8, 5e6, 20}, Material{2e4, 500, 1}),
                          [](const testing::TestParamInfo<Material>& the) {
                              return "edge_1e" +
                                     std::to_string(std::lround(std::log10(the.param.edge_stiffness))) +

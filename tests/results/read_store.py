@@ -3,16 +3,18 @@
 Usage: read_store.py tables|xdmf <campaign.h5> <replay.xdmf>. Exit status 77 when a package is missing.
 """
 
+import importlib
 import sys
 import xml.etree.ElementTree
 from pathlib import Path
 
 try:
-    import h5netcdf  # noqa: F401  (xarray's engine)
     import h5py
     import numpy
     import pandas
     import xarray
+
+    importlib.import_module("h5netcdf")  # xarray's engine
 except ImportError as error:
     print(error)
     sys.exit(77)
