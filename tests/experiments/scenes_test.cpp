@@ -78,7 +78,7 @@ TEST(Placement, IsUniformByArea) {
             << "nearer than two radii to the boundary";
         if (entry.x() < -52.0 / 3) ++left;
     }
-    EXPECT_NEAR(left, count / 3, 4 * std::sqrt(count * 2.0 / 9));
+    EXPECT_NEAR(left, count / 3.0, 4 * std::sqrt(count * 2.0 / 9));
 }
 
 TEST(Placement, RefusesOrgansThatAreTooThinEverywhere) {
