@@ -40,15 +40,17 @@ std::string reading(const std::filesystem::path& file) {
 /// LeakSanitizer does not look at what is allocated while this exists.
 class LeaksOfHdf5 {
   public:
-#ifdef __SANITIZE_ADDRESS__
-    LeaksOfHdf5() { __lsan_disable(); }
-    ~LeaksOfHdf5() { __lsan_enable(); }
-#else
-    LeaksOfHdf5() = default;
-    ~LeaksOfHdf5() = default;
-#endif
+    LeaksOfHdf5() { ignore(true); }
     LeaksOfHdf5(const LeaksOfHdf5&) = delete;
     LeaksOfHdf5& operator=(const LeaksOfHdf5&) = delete;
+    ~LeaksOfHdf5() { ignore(false); }
+
+  private:
+    static void ignore([[maybe_unused]] bool wanted) {
+#ifdef __SANITIZE_ADDRESS__
+        wanted ? __lsan_disable() : __lsan_enable();
+#endif
+    }
 };
 
 /// No file of this process grows beyond some bytes while this exists: a disk that is full.
