@@ -40,7 +40,7 @@ struct Sums {
 };
 
 void run_scene(const Organ& organ, const Tool& tool, const ScenePlan& plan, Strategy& strategy, Sums& sums) {
-    Cycle cycle(organ, tool, plan.start, CycleSettings{}, SpringSettings{});
+    Cycle cycle(organ, tool, start_at_rest(organ, plan.start), CycleSettings{}, SpringSettings{});
     const Handler handler = [&](const Contact& contact, Response& response) {
         strategy.handle(contact, response);
     };

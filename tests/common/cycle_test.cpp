@@ -39,7 +39,7 @@ class CycleOnSheet : public testing::Test {
 };
 
 TEST_F(CycleOnSheet, MovesDetectsHandlesAndDeforms) {
-    Cycle cycle(organ_, tool_, tip_at(3), {}, {});
+    Cycle cycle(organ_, tool_, start_at(3), {}, {});
     step(cycle, tip_at(1));
     EXPECT_THAT(cycle.detected().collided, testing::IsEmpty());
     EXPECT_EQ(cycle.positions()[0], organ_.rest.positions[0]);
@@ -55,7 +55,7 @@ TEST_F(CycleOnSheet, MovesDetectsHandlesAndDeforms) {
 }
 
 TEST_F(CycleOnSheet, GivesTheStrategyTheMotionOfTheStep) {
-    Cycle cycle(organ_, tool_, tip_at(3), {.rate = 60}, {});
+    Cycle cycle(organ_, tool_, start_at(3), {.rate = 60}, {});
     step(cycle, tip_at(-2), [](const Contact& contact, Response&) {
         EXPECT_TRUE(contact.motion.displacement_at({0, 0, 0}).isApprox(Vec3(0, 0, -5)));
         EXPECT_DOUBLE_EQ(contact.dt, 1.0 / 60);
@@ -64,7 +64,7 @@ TEST_F(CycleOnSheet, GivesTheStrategyTheMotionOfTheStep) {
 }
 
 TEST_F(CycleOnSheet, ContactHoldsAHandledVertexAsLongAsItIsAtTheTool) {
-    Cycle cycle(organ_, tool_, tip_at(3), {.release = Release::contact}, {});
+    Cycle cycle(organ_, tool_, start_at(3), {.release = Release::contact}, {});
     step(cycle, tip_at(-2));
     const std::vector<Index> handled(cycle.held().begin(), cycle.held().end());
     const auto still_held = [&] { return std::ranges::includes(cycle.held(), handled); };
@@ -81,7 +81,7 @@ TEST_F(CycleOnSheet, ContactHoldsAHandledVertexAsLongAsItIsAtTheTool) {
 }
 
 TEST_F(CycleOnSheet, StepLetsAHandledVertexGoInTheNextStep) {
-    Cycle cycle(organ_, tool_, tip_at(3), {.release = Release::step}, {});
+    Cycle cycle(organ_, tool_, start_at(3), {.release = Release::step}, {});
     step(cycle, tip_at(-2));
     const std::vector<Index> handled(cycle.held().begin(), cycle.held().end());
     ASSERT_GT(handled.size(), 0U);
@@ -95,7 +95,7 @@ TEST_F(CycleOnSheet, StepLetsAHandledVertexGoInTheNextStep) {
 }
 
 TEST_F(CycleOnSheet, ForcesAndHalfSpacesReachTheDeformation) {
-    Cycle cycle(organ_, tool_, tip_at(30), {}, {});
+    Cycle cycle(organ_, tool_, start_at(30), {}, {});
     Index inner = 0;
     while (organ_.adjacency.on_boundary(inner)) ++inner;
     const Vec3 rest = organ_.rest.positions[inner];
@@ -114,7 +114,7 @@ TEST_F(CycleOnSheet, ForcesAndHalfSpacesReachTheDeformation) {
 
 TEST_F(CycleOnSheet, RefusesAnswersThatAreNone) {
     const auto answer = [this](const Handler& handler) {
-        Cycle cycle(organ_, tool_, tip_at(3), {}, {});
+        Cycle cycle(organ_, tool_, start_at(3), {}, {});
         step(cycle, tip_at(1), handler);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -146,9 +146,9 @@ TEST_F(CycleOnSheet, RefusesAnswersThatAreNone) {
 }
 
 TEST_F(CycleOnSheet, RefusesSettingsThatAreNone) {
-    EXPECT_THROW(Cycle(organ_, tool_, tip_at(3), {.rate = 0}, {}), std::invalid_argument);
-    EXPECT_THROW(Cycle(organ_, tool_, tip_at(3), {.clearance = 0}, {}), std::invalid_argument);
-    EXPECT_THROW(Cycle(organ_, tool_, tip_at(3), {}, {.substeps = 0}), std::invalid_argument);
+    EXPECT_THROW(Cycle(organ_, tool_, start_at(3), {.rate = 0}, {}), std::invalid_argument);
+    EXPECT_THROW(Cycle(organ_, tool_, start_at(3), {.clearance = 0}, {}), std::invalid_argument);
+    EXPECT_THROW(Cycle(organ_, tool_, start_at(3), {}, {.substeps = 0}), std::invalid_argument);
 }
 
 }  // namespace

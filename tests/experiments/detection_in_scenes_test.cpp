@@ -86,7 +86,7 @@ TEST_P(RandomScene, DetectionEqualsBruteForceAtEveryStep) {
     const BruteForce brute_force(organ, tool);
 
     const Release release = seed % 5 == 0 ? Release::step : Release::contact;
-    Cycle cycle(organ, tool, plan.start, {.release = release}, {});
+    Cycle cycle(organ, tool, start_at_rest(organ, plan.start), {.release = release}, {});
     std::size_t collided = 0, crossed = 0;
     for (const Pose& pose : plan.poses) {
         cycle.move(pose);
