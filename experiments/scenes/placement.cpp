@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <set>
+#include <unordered_set>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -42,7 +42,7 @@ SurfacePoint point_by_area(const Organ& organ, const std::vector<double>& areas_
 Vec3 mean_normal(const Organ& organ, const SurfacePoint& point, double radius) {
     const auto& p = organ.rest.positions;
     std::vector<std::size_t> connected{point.facet};
-    std::set<std::size_t> seen{point.facet};
+    std::unordered_set<std::size_t> seen{point.facet};
     Vec3 sum = Vec3::Zero();
     // The list grows while it is walked: a flood over shared vertices.
     for (std::size_t next = 0; next < connected.size(); ++next) {

@@ -19,7 +19,14 @@ OrganChoice read_organ_entry(const ConfigValue& entry, const std::filesystem::pa
 /// A tool's name, or a table of `shape` and that shape's parameters.
 ToolChoice read_tool_entry(const ConfigValue& entry);
 
+/// A scene's name, or a table of `name`, `file` (relative to `folder`) and perhaps `frame` for a recorded
+/// motion. Throws InputError, which names the file, for a recording that cannot be used.
+SceneChoice read_scene_entry(const ConfigValue& entry, const std::filesystem::path& folder);
+
+/// All of [cycle] but the release.
 CycleSettings read_cycle(const ConfigTable& table);
+/// One word, or a list of them; without the key the default one.
+std::vector<Release> read_releases(const ConfigTable& cycle);
 SpringSettings read_springs(const ConfigTable& table);
 
 }  // namespace trocar

@@ -34,6 +34,8 @@ class CycleOnSheet : public testing::Test {
         cycle.deform();
     }
 
+    [[nodiscard]] CycleStart start_at(double z) const { return start_at_rest(organ_, tip_at(z)); }
+
     const Organ organ_ = make_organ_by_formula("sheet@4mm");
     const Tool tool_ = make_prism(12);
 };
@@ -61,6 +63,18 @@ TEST_F(CycleOnSheet, GivesTheStrategyTheMotionOfTheStep) {
         EXPECT_DOUBLE_EQ(contact.dt, 1.0 / 60);
         EXPECT_DOUBLE_EQ(contact.clearance, 0.01);
     });
+}
+
+TEST_F(CycleOnSheet, WhatTheToolHoldsFromBeforeStaysWithIt) {
+    CycleStart start = start_at(-2);
+    const Index beneath = 500, far = 0;
+    start.organ.positions[beneath] = {0.3, 0.4, -2.01};  // at the tip, by the clearance
+    start.held = {far, beneath};
+    Cycle cycle(organ_, tool_, start, {}, {});
+    step(cycle, tip_at(-2));
+    EXPECT_EQ(cycle.positions()[beneath], Vec3(0.3, 0.4, -2.01));
+    EXPECT_TRUE(std::ranges::binary_search(cycle.held(), beneath));
+    EXPECT_FALSE(std::ranges::binary_search(cycle.held(), far)) << "it is not at the tool";
 }
 
 TEST_F(CycleOnSheet, ContactHoldsAHandledVertexAsLongAsItIsAtTheTool) {
