@@ -19,13 +19,13 @@ namespace {
 constexpr std::uint64_t most_draws = 10'000;
 
 /// A point of the organ at rest and the facet it lies on.
-struct SurfacePoint {
+struct EntryPoint {
     Vec3 position;
     std::size_t facet;
 };
 
 /// A point drawn uniformly by area. @param areas_up_to sum of the areas of the facets up to each
-SurfacePoint point_by_area(const Organ& organ, const std::vector<double>& areas_up_to,
+EntryPoint point_by_area(const Organ& organ, const std::vector<double>& areas_up_to,
                            const std::array<double, 4>& uniform) {
     const double at = uniform[0] * areas_up_to.back();
     const auto found = std::ranges::upper_bound(areas_up_to, at);
@@ -39,7 +39,7 @@ SurfacePoint point_by_area(const Organ& organ, const std::vector<double>& areas_
 
 /// Mean outer normal, by area, of the facets that are connected to the point by facets whose centre is within
 /// `radius` of it.
-Vec3 mean_normal(const Organ& organ, const SurfacePoint& point, double radius) {
+Vec3 mean_normal(const Organ& organ, const EntryPoint& point, double radius) {
     const auto& p = organ.rest.positions;
     std::vector<std::size_t> connected{point.facet};
     std::unordered_set<std::size_t> seen{point.facet};
@@ -119,7 +119,7 @@ Placement place(const SceneInputs& inputs, const PlacementRule& rule) {
     std::inclusive_scan(organ.rest_areas.begin(), organ.rest_areas.end(), areas_up_to.begin());
 
     for (std::uint64_t k = 0; k < most_draws; ++k) {
-        const SurfacePoint point = point_by_area(organ, areas_up_to, draw(inputs.seed, 2 * k + 1));
+        const EntryPoint point = point_by_area(organ, areas_up_to, draw(inputs.seed, 2 * k + 1));
         const Vec3& entry = point.position;
         if (way_near_boundary(organ, entry, entry, reach)) continue;
         const Vec3 normal = mean_normal(organ, point, reach);
