@@ -37,7 +37,7 @@ figures: paper  ## make the table and the picture of README.md anew
 	build/trocar show build/paper/first_light.h5 --markdown --by speed,label $(readme_metrics) \
 	    > $(readme_table)
 	cp build/paper/first_light.png results/reference/first_light.png
-	$(PYTHON) cmake/readme_table.py README.md $(readme_table)
+	$(PYTHON) cmake/readme_part.py README.md table $(readme_table)
 
 test: build  ## build and run the tests
 	ctest --preset $(PRESET) --parallel $(JOBS) --no-tests=error
@@ -48,7 +48,8 @@ sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitize
 lint: lint_packages configure  ## check the format, the C++ and the Python; a warning is an error
 	$(sources) | xargs -0 clang-format --dry-run -Werror
 	$(scripts) | xargs -0 -r $(PYTHON) -m pyflakes
-	$(PYTHON) cmake/readme_table.py README.md $(readme_table) --check
+	$(PYTHON) cmake/readme_part.py README.md table $(readme_table) --check
+	$(PYTHON) cmake/readme_part.py README.md consumer tests/package/consumer/consumer.cpp --check
 	$(PYTHON) cmake/clang_tidy.py build/$(PRESET) --jobs $(JOBS)
 
 bench: build  ## time the cycle and its phases; results in build/bench/*.json
