@@ -20,7 +20,10 @@ OrganChoice read_organ_entry(const ConfigValue& entry, const std::filesystem::pa
 /// A tool's name, or a table of `shape` and that shape's parameters.
 std::shared_ptr<const Tool> read_tool_entry(const ConfigValue& entry);
 
+/// @{
+/// The settings of a table, with defaults where it has none.
 CycleSettings read_cycle(const ConfigTable& table);
 SpringSettings read_springs(const ConfigTable& table);
+/// @}
 
 }  // namespace trocar
