@@ -17,7 +17,7 @@ readme_metrics = $(addprefix --metric=,depth_max_d_max facets_crossing_d_mean di
     flipped_facets_mean time_handle_p99 time_cycle_p50)
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages configure build paper figures test sanitize lint bench clean
+.PHONY: help packages lint_packages docs_packages configure build paper figures test sanitize lint docs bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' Makefile | expand -t 12
@@ -37,7 +37,7 @@ figures: paper  ## make the table and the picture of README.md anew
 	build/trocar show build/paper/first_light.h5 --markdown --by speed,label $(readme_metrics) \
 	    > $(readme_table)
 	cp build/paper/first_light.png results/reference/first_light.png
-	$(PYTHON) cmake/readme_table.py README.md $(readme_table)
+	$(PYTHON) cmake/readme_part.py README.md table $(readme_table)
 
 test: build  ## build and run the tests
 	ctest --preset $(PRESET) --parallel $(JOBS) --no-tests=error
@@ -45,11 +45,15 @@ test: build  ## build and run the tests
 sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(MAKE) test PRESET=asan TROCAR_LINK_PROGRAM=OFF
 
-lint: lint_packages configure  ## check the format, the C++ and the Python; a warning is an error
+lint: lint_packages docs configure  ## check the format, the C++, the Python and the pages; a warning is an error
 	$(sources) | xargs -0 clang-format --dry-run -Werror
 	$(scripts) | xargs -0 -r $(PYTHON) -m pyflakes
-	$(PYTHON) cmake/readme_table.py README.md $(readme_table) --check
+	$(PYTHON) cmake/readme_part.py README.md table $(readme_table) --check
+	$(PYTHON) cmake/readme_part.py README.md consumer tests/package/consumer/consumer.cpp --check
 	$(PYTHON) cmake/clang_tidy.py build/$(PRESET) --jobs $(JOBS)
+
+docs: docs_packages  ## make the pages of every header and README.md, build/docs/html/index.html
+	$(PYTHON) -B cmake/docs.py
 
 bench: build  ## time the cycle and its phases; results in build/bench/*.json
 	mkdir -p build/bench
@@ -62,6 +66,9 @@ clean:  ## remove build/
 
 packages:
 	@sh cmake/install_packages.sh packages.txt
+
+docs_packages:
+	@sh cmake/install_packages.sh packages-docs.txt
 
 lint_packages:
 	@sh cmake/install_packages.sh packages.txt packages-lint.txt

@@ -1,6 +1,8 @@
 # trocar_library(<name> SOURCES … PUBLIC … PRIVATE …): one folder, one target, alias trocar::<name>.
 # trocar_compile_options(<target>): the flags every target of ours is built with.
 
+include(GNUInstallDirs)
+
 find_program(TROCAR_CCACHE ccache)
 if(TROCAR_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${TROCAR_CCACHE})
@@ -25,7 +27,8 @@ function(trocar_library name)
     cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
     add_library(trocar_${name} STATIC ${ARG_SOURCES})
     add_library(trocar::${name} ALIAS trocar_${name})
-    target_include_directories(trocar_${name} PUBLIC ${CMAKE_SOURCE_DIR})
+    target_include_directories(trocar_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}>
+                                                     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/trocar>)
     target_link_libraries(trocar_${name} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
     trocar_compile_options(trocar_${name})
 endfunction()

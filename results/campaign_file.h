@@ -10,10 +10,13 @@
 // The root of a result file: its attributes and groups. README.md shows the layout.
 namespace trocar {
 
+/// @{
+/// Names of the groups.
 inline constexpr auto cases_group = "cases";
 inline constexpr auto series_group = "series";
 inline constexpr auto replay_group = "replay";
 inline constexpr auto provenance_group = "provenance";
+/// @}
 
 /// A result file that is whole and of this schema, open for reading.
 struct CampaignFile {
@@ -33,10 +36,12 @@ void write_tables(const hdf5::File& file, const Table& cases, const Table& prove
 /// Marks the file as whole and closes it. Throws StoreError when something did not reach the file.
 void finish_campaign(hdf5::File file, const std::filesystem::path& path);
 
+/// @{
 /// Columns that the store itself adds.
 Column case_id_column(Texts ids);
 Column build_id_column(Texts ids);
 Column provenance_row_column(WholeNumbers rows);
 Column covered_cases_column(WholeNumbers counts);
+/// @}
 
 }  // namespace trocar

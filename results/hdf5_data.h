@@ -45,17 +45,23 @@ struct NumberType<std::int64_t> {
 /// UTF-8 text of variable length, which h5py, pandas and xarray read as str.
 Type text_type(hid_t near);
 
+/// @{
+/// Attributes of a file, group or dataset: a text or a whole number. Reading throws StoreError when there is
+/// none.
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, std::int64_t number);
 std::string read_text_attribute(hid_t object, const std::string& name);
 std::int64_t read_number_attribute(hid_t object, const std::string& name);
+/// @}
 
 /// An empty dataset, compressed in chunks of `rows_per_chunk` rows (0: of half a million bytes at most).
 Dataset create_dataset(hid_t group, const Label& label, hid_t stored_type, const Shape& shape,
                        hsize_t rows_per_chunk = 0);
 
+/// Throws StoreError when there is no such dataset.
 Dataset open_dataset(hid_t group, const std::string& name);
 
+/// Lengths of a dataset's dimensions.
 Shape shape_of(hid_t dataset);
 
 /// Writes all of a dataset from `data`, in C order.
@@ -73,6 +79,7 @@ void write_numbers(hid_t group, const Label& label, const Shape& shape, const Nu
 
 /// Creates a dataset of one dimension and writes it.
 void write_texts(hid_t group, const Label& label, const std::vector<std::string>& texts);
+/// The texts of a dataset of one dimension and length `count`.
 std::vector<std::string> read_texts(hid_t dataset, std::size_t count);
 
 }  // namespace trocar::hdf5

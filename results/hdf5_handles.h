@@ -9,7 +9,7 @@
 
 #include <hdf5.h>
 
-// A thin layer over HDF5's C interface. Included by .cpp files of this folder and its tests only.
+/// A thin layer over HDF5's C interface. Included by .cpp files of this folder and its tests only.
 namespace trocar::hdf5 {
 
 /// Held while HDF5 is in use. Lets one thread in at a time, since HDF5 may be built without thread safety,
@@ -51,6 +51,8 @@ class Handle {
     hid_t id_ = H5I_INVALID_HID;
 };
 
+/// @{
+/// What HDF5 knows by an identifier.
 using File = Handle<H5Fclose>;
 using Group = Handle<H5Gclose>;
 using Dataset = Handle<H5Dclose>;
@@ -58,6 +60,7 @@ using Dataspace = Handle<H5Sclose>;
 using Type = Handle<H5Tclose>;
 using Attribute = Handle<H5Aclose>;
 using PropertyList = Handle<H5Pclose>;
+/// @}
 
 /// Throws StoreError: the file, what could not be done and HDF5's innermost message.
 [[noreturn]] void fail(const std::filesystem::path& file, std::string_view action);
@@ -75,11 +78,13 @@ Result checked(Result result, hid_t near, std::string_view object, std::string_v
     return result;
 }
 
+/// Throws StoreError when there is no such group.
 Group open_group(hid_t parent, const std::string& name);
 
 /// A group that keeps its members in the order of their creation when `ordered`; that costs some kilobytes.
 Group create_group(hid_t parent, const std::string& name, bool ordered = false);
 
+/// Whether `parent` has a member of that name.
 bool exists(hid_t parent, const std::string& name);
 
 /// Members of a group in alphabetic order or, when it was created so, in the order of their creation.

@@ -47,6 +47,7 @@ struct ReplayStep {
     std::vector<std::int32_t> moved;    ///< vertices that the strategy displaced
 };
 
+/// Organ and tool through all steps of a case.
 struct Replay {
     std::vector<std::array<std::int32_t, 3>> facets;
     std::vector<StoredPoint> rest_positions;

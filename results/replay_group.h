@@ -7,7 +7,7 @@
 
 namespace trocar {
 
-/// Writes /replay/<case_id>, `group` being /replay.
+/// Writes `/replay/<case_id>`, `group` being /replay.
 void write_replay(hid_t group, const std::string& case_id, const Replay& replay);
 
 }  // namespace trocar

@@ -26,6 +26,7 @@ void write_case(const std::filesystem::path& file, const CampaignHeader& header,
 /// What a result file holds, without its series.
 struct Contents {
     CampaignHeader header;
+    /// A row of /cases.
     struct Case {
         std::string case_id;
         std::string build_id;

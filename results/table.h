@@ -10,9 +10,12 @@
 
 namespace trocar {
 
+/// @{
+/// The values of a column, a kind each.
 using Texts = std::vector<std::string>;
 using WholeNumbers = std::vector<std::int64_t>;
 using Figures = std::vector<double>;
+/// @}
 
 /// A named column of a table, all its values of one kind.
 struct Column {
@@ -35,17 +38,21 @@ struct Table {
 /// A table of one row.
 Table table_of(const std::vector<Cell>& cells);
 
+/// Writes each column as a dataset of the group.
 void write_table(hid_t group, const Table& table);
 
+/// Reads one dataset of the group.
 Column read_column(hid_t group, const std::string& name);
 
 /// Throws StoreError when the group holds anything but columns of one length.
 Table read_table(hid_t group);
 
+/// @{
 /// The texts, or whole numbers, of a column that has to be there. `group` is where the table was read, for
 /// the message of the StoreError.
 const Texts& texts(const Table& table, const std::string& name, hid_t group);
 const WholeNumbers& whole_numbers(const Table& table, const std::string& name, hid_t group);
+/// @}
 
 /// Makes `scale` the dimension that every other column of the group is measured along, so that xarray reads
 /// the group as one table.

@@ -35,9 +35,11 @@ struct OptionError : std::invalid_argument {
 /// range.
 Options resolve_options(const std::vector<OptionSpec>& specs, const Options& given);
 
+/// @{
 /// The value of a flag, number or word of resolved options.
 bool flag(const Options& options, const std::string& name);
 double number(const Options& options, const std::string& name);
 const std::string& word(const Options& options, const std::string& name);
+/// @}
 
 }  // namespace trocar

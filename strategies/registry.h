@@ -11,6 +11,7 @@ namespace trocar {
 /// A strategy that can be made: its description and how to make one from resolved options.
 struct StrategyEntry {
     Description description;
+    /// Makes an instance from options that resolve_options has checked and completed.
     std::unique_ptr<Strategy> (*make)(const Options& resolved);
 };
 

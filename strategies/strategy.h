@@ -37,6 +37,7 @@ class Strategy {
     Strategy& operator=(const Strategy&) = delete;
     virtual ~Strategy() = default;
 
+    /// What it guarantees under the options that it was made with.
     [[nodiscard]] virtual Promises promises() const = 0;
 
     /// Appends its answer to `response`, which is empty.

@@ -16,6 +16,7 @@ enum class Release {
     step,     ///< in its step only: the literal reading of the paper's cycle
 };
 
+/// How the cycle runs; the defaults of a sweep file's table `[cycle]`.
 struct CycleSettings {
     double rate = 30;         ///< steps a second, Hz
     double clearance = 0.01;  ///< g: how far outside the tool a handled vertex is put, mm
@@ -52,14 +53,20 @@ class Cycle {
     Cycle(const Organ& organ, const Tool& tool, CycleStart start, const CycleSettings& cycle,
           const SpringSettings& springs);
 
+    /// Begins a step: the tool goes to `next`.
     void move(const Pose& next);
+    /// Finds what collides with the tool where it is now.
     void detect();
+    /// Asks `handler` for a response to what was detected and moves the vertices that it displaces.
     /// Throws std::runtime_error when the answer is not finite, names a vertex that does not exist, or moves
     /// or pushes a vertex twice.
     void handle(const Handler& handler);
+    /// Ends the step: the deformation moves all vertices that are not held.
     void deform();
 
+    /// Of every organ vertex, mm; a view of the organ as it is now.
     [[nodiscard]] std::span<const Vec3> positions() const { return state_.positions; }
+    /// Of every organ vertex, mm/s.
     [[nodiscard]] std::span<const Vec3> velocities() const { return state_.velocities; }
     [[nodiscard]] const PlacedTool& tool() const { return tool_; }
     [[nodiscard]] const ToolMotion& motion() const { return motion_; }

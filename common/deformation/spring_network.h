@@ -21,6 +21,7 @@ struct SpringSettings {
 
 /// Point masses with springs between them and springs to their rest positions.
 struct SpringNetwork {
+    /// Between two vertices.
     struct Spring {
         Index a, b;
         double rest_length;  ///< mm

@@ -15,15 +15,19 @@ struct MeshText {
     std::size_t facets = 0;  ///< so many must come out
 };
 
+/// @{
 /// Makes of a file's content what CGAL reads safely and rightly. Throws MeshError where nothing here can.
 MeshText prepare_off(const std::string& file, std::string_view content);
 MeshText prepare_obj(const std::string& file, std::string_view content);
 MeshText prepare_stl(const std::string& file, std::string_view content);
 MeshText prepare_ply(const std::string& file, std::string_view content);
+/// @}
 
+/// @{
 /// For a text that CGAL could not read: throws MeshError at its first bad place. Returns when it finds none.
 void scan_off(const std::string& file, std::string_view content);
 void scan_obj(const std::string& file, std::string_view content);
 void scan_stl(const std::string& file, std::string_view content);
+/// @}
 
 }  // namespace trocar

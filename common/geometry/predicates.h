@@ -10,6 +10,7 @@ namespace trocar {
 /// plane of a, b, c (on the side from which they run counter-clockwise), 0 on it, −1 below.
 int orientation_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// The corners of a facet, counter-clockwise seen from outside.
 using Corners = std::array<Vec3, 3>;
 
 /// Whether triangle `organ` properly crosses triangle `tool`, by exact orientation signs: an edge of one runs

@@ -10,7 +10,9 @@
 /// Units throughout: millimetres, seconds, grams.
 namespace trocar {
 
+/// A point (mm) or a direction.
 using Vec3 = Eigen::Vector3d;
+/// A rotation, or a linear map.
 using Mat3 = Eigen::Matrix3d;
 
 /// Number of a vertex or of a facet, counted from 0.

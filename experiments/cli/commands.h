@@ -23,12 +23,14 @@ struct Program {
     int exit_code = ExitCode::done;      ///< set by the subcommand that ran
 };
 
-// Each adds one subcommand, which runs while `app` parses. They throw InputError and StoreError. `program`
-// must outlive the parsing.
+/// @{
+/// Adds one subcommand, which runs while `app` parses. Throws InputError and StoreError. `program`
+/// must outlive the parsing.
 void add_run(CLI::App& app, Program& program);
 void add_list(CLI::App& app, Program& program);
 void add_show(CLI::App& app, Program& program);
 void add_snapshot(CLI::App& app, Program& program);
 void add_check(CLI::App& app, Program& program);
+/// @}
 
 }  // namespace trocar

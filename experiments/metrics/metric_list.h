@@ -2,10 +2,11 @@
 
 #include "experiments/metrics/metric.h"
 
-/// One function per metric; each is defined in the file of its name. A new metric is a file, a line here and
-/// a line in metric.cpp.
+/// One function per metric.
 namespace trocar::metrics {
 
+/// @{
+/// Each is defined in the file of its name. A new metric is a file, a line here and a line in metric.cpp.
 Metric collided_vertices();
 Metric vertices_inside();
 Metric depth_max();
@@ -15,5 +16,6 @@ Metric displacement_mean();
 Metric displacement_max();
 Metric flipped_facets();
 Metric fallbacks();
+/// @}
 
 }  // namespace trocar::metrics

@@ -12,6 +12,7 @@
 
 namespace trocar {
 
+/// What run_sweep is asked for.
 struct RunRequest {
     std::filesystem::path out;  ///< result file
     CampaignHeader header;

@@ -61,6 +61,7 @@ struct PlacementError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A scene that can be laid out.
 struct SceneEntry {
     std::string name;
     std::string summary;                                      ///< one line

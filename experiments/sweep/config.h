@@ -24,7 +24,9 @@ struct PlacedError : std::runtime_error {
 
 struct ConfigValue;
 struct ConfigEntry;
+/// A list of a TOML file.
 using ConfigList = std::vector<ConfigValue>;
+/// A table of a TOML file, in the file's order.
 using ConfigTable = std::vector<ConfigEntry>;
 
 /// A value of a TOML file that remembers where it stands. Tables keep the order of the file.
@@ -33,6 +35,7 @@ struct ConfigValue {
     std::variant<bool, std::int64_t, double, std::string, ConfigList, ConfigTable> content;
 };
 
+/// A key of a table, and its value.
 struct ConfigEntry {
     Place key_place;
     std::string key;
@@ -49,13 +52,15 @@ const ConfigValue* find(const ConfigTable& table, std::string_view key);
 /// key names, such as "option of fuzzy-per-vertex".
 void check_keys(const ConfigTable& table, std::string_view kind, std::span<const std::string> known);
 
-// The content of a value of the expected kind. `what` names the value in the PlacedError that another kind is
-// answered with, such as "speeds".
+/// @{
+/// The content of a value of the expected kind. `what` names the value in the PlacedError that another kind
+/// is answered with, such as "speeds".
 const std::string& as_text(const ConfigValue& value, std::string_view what);
 double as_number(const ConfigValue& value, std::string_view what);  ///< whole numbers too; finite
 std::int64_t as_whole_number(const ConfigValue& value, std::string_view what);
 const ConfigList& as_list(const ConfigValue& value, std::string_view what);  ///< with at least one element
 const ConfigTable& as_table(const ConfigValue& value, std::string_view what);
+/// @}
 
 /// as_number, above zero.
 double as_positive(const ConfigValue& value, std::string_view what);

@@ -23,10 +23,11 @@ ToolChoice read_tool_entry(const ConfigValue& entry);
 /// motion. Throws InputError, which names the file, for a recording that cannot be used.
 SceneChoice read_scene_entry(const ConfigValue& entry, const std::filesystem::path& folder);
 
-/// All of [cycle] but the release.
+/// All of [cycle] but the release, with defaults where the table has none.
 CycleSettings read_cycle(const ConfigTable& table);
-/// One word, or a list of them; without the key the default one.
+/// The release of [cycle]: one word, or a list of them; without the key the default one.
 std::vector<Release> read_releases(const ConfigTable& cycle);
+/// The settings of [deformation], with defaults where the table has none.
 SpringSettings read_springs(const ConfigTable& table);
 
 }  // namespace trocar

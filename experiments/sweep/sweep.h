@@ -17,12 +17,14 @@
 
 namespace trocar {
 
+/// A strategy as a sweep names it.
 struct StrategyChoice {
     std::string name;   ///< of the strategy
     std::string label;  ///< as it stands in tables and figures; unique within a sweep
     Options options;    ///< resolved: all of them, defaults included
 };
 
+/// An organ as a sweep names it, loaded.
 struct OrganChoice {
     /// What makes it this organ: "sphere@4mm", or the hash of a file's bytes with the size it is scaled to.
     /// Where the file lies is not part of it.
