@@ -1,7 +1,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "strategies/registry.h"
 #include "tests/strategies/single_vertex.h"
 
 namespace trocar {
@@ -12,10 +11,8 @@ namespace {
 Vec3 moved_from(const Vec3& inside) {
     const std::vector<Vec3> corners = {inside + Vec3(1, 0, 0), inside + Vec3(0, 1, 0),
                                        inside + Vec3(-1, -1, 0)};
-    const auto scene = contract::single_vertex(inside, corners, {0, 0, -1});
-    Response response;
-    scene.with_contact(
-        [&](const Contact& contact) { make_strategy("nearest-face")->handle(contact, response); });
+    const Response response =
+        contract::answer_of("nearest-face", contract::single_vertex(inside, corners, {0, 0, -1}));
     EXPECT_EQ(response.displacements.size(), 1U);
     return response.displacements.at(0).displacement;
 }
