@@ -72,7 +72,7 @@ void print_plan(const RunRequest& request) {
     for (const CaseInputs& inputs : pending) pending_ids.insert(inputs.case_id);
     for (const CaseInputs& inputs : request.cases) {
         fmt::print("{}  {}, {}, {}, {}, {} mm/s, seed {}{}\n", inputs.case_id, inputs.strategy.label,
-                   inputs.organ.organ->name, inputs.tool->name, inputs.scene, inputs.speed, inputs.seed,
+                   inputs.organ.organ->name, inputs.tool.tool->name, inputs.scene, inputs.speed, inputs.seed,
                    pending_ids.contains(inputs.case_id) ? "" : "  (done)");
     }
     fmt::print("{} cases, {} of them to run; nothing was run\n", request.cases.size(), pending.size());

@@ -51,8 +51,8 @@ Outcome run_steps(const CaseInputs& inputs, const ScenePlan& plan, Strategy& str
                   const std::stop_token& stop) {
     const Organ& organ = *inputs.organ.organ;
     const double limit = diverged_diagonals * bounding_box(organ.rest.positions).size().norm();
-    Cycle cycle(organ, *inputs.tool, plan.start, inputs.cycle, inputs.springs);
-    Judge judge(organ, *inputs.tool);
+    Cycle cycle(organ, *inputs.tool.tool, plan.start, inputs.cycle, inputs.springs);
+    Judge judge(organ, *inputs.tool.tool);
     const Handler handler = [&](const Contact& contact, Response& response) {
         strategy.handle(contact, response);
     };
@@ -87,7 +87,7 @@ Outcome run_contained(const CaseInputs& inputs, Strategy& strategy, Gathered& ga
         const ScenePlan plan = find_scene(inputs.scene)
                                    .plan({.organ = *inputs.organ.organ,
                                           .organ_queries = *inputs.organ.queries,
-                                          .tool = *inputs.tool,
+                                          .tool = *inputs.tool.tool,
                                           .speed = inputs.speed,
                                           .dt = inputs.cycle.dt(),
                                           .seed = inputs.seed});
@@ -113,7 +113,7 @@ std::vector<Cell> identifying_cells(const CaseInputs& inputs) {
         {"label", "", "the strategy's label in tables and figures", strategy.label},
         {"organ", "", "organ", inputs.organ.organ->name},
         {"organ_facets", "1", "facets of the organ", whole(inputs.organ.organ->rest.facets.size())},
-        {"tool", "", "tool", inputs.tool->name},
+        {"tool", "", "tool", inputs.tool.tool->name},
         {"scene", "", "scene", inputs.scene},
         {"speed", "mm/s", "speed of the tool", inputs.speed},
         {"rate", "Hz", "steps a second", inputs.cycle.rate},
@@ -158,7 +158,7 @@ std::optional<CaseRecord> run_case(const CaseInputs& inputs, Strategy& strategy,
                                    const std::stop_token& stop) {
     const auto started = Clock::now();
     Gathered gathered;
-    if (with_replay) gathered.replay = empty_replay(*inputs.organ.organ, *inputs.tool);
+    if (with_replay) gathered.replay = empty_replay(*inputs.organ.organ, *inputs.tool.tool);
     const Outcome outcome = run_contained(inputs, strategy, gathered, stop);
     if (outcome.stopped) return std::nullopt;
     const std::chrono::duration<double> wall = Clock::now() - started;

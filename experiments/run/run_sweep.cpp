@@ -38,7 +38,7 @@ std::string text_cell(const CaseRecord& record, std::string_view name) {
 
 std::string failure_line(const CaseInputs& inputs, const CaseRecord& record) {
     return fmt::format("{}: {}, {}, {}, {}, {} mm/s, seed {}: {}", text_cell(record, "status"),
-                       inputs.strategy.label, inputs.organ.organ->name, inputs.tool->name, inputs.scene,
+                       inputs.strategy.label, inputs.organ.organ->name, inputs.tool.tool->name, inputs.scene,
                        inputs.speed, inputs.seed, text_cell(record, "reason"));
 }
 

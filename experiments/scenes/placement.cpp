@@ -17,13 +17,13 @@ namespace {
 constexpr std::uint64_t most_draws = 10'000;
 
 /// A point of the organ at rest and the facet it lies on.
-struct SurfacePoint {
+struct EntryPoint {
     Vec3 position;
     std::size_t facet;
 };
 
 /// A point drawn uniformly by area. @param areas_up_to sum of the areas of the facets up to each
-SurfacePoint point_by_area(const Organ& organ, const std::vector<double>& areas_up_to,
+EntryPoint point_by_area(const Organ& organ, const std::vector<double>& areas_up_to,
                            const std::array<double, 4>& uniform) {
     const double at = uniform[0] * areas_up_to.back();
     const auto found = std::ranges::upper_bound(areas_up_to, at);
@@ -36,7 +36,7 @@ SurfacePoint point_by_area(const Organ& organ, const std::vector<double>& areas_
 }
 
 /// Mean outer normal, by area, of the facets whose centre is within `radius` of the point.
-Vec3 mean_normal(const Organ& organ, const SurfacePoint& point, double radius) {
+Vec3 mean_normal(const Organ& organ, const EntryPoint& point, double radius) {
     Vec3 sum = organ.rest_areas[point.facet] * organ.rest_normals[point.facet];
     for (std::size_t f = 0; f < organ.rest.facets.size(); ++f) {
         const auto [a, b, c] = organ.rest.facets[f];
@@ -83,7 +83,7 @@ Placement place(const SceneInputs& inputs, double depth) {
     std::inclusive_scan(organ.rest_areas.begin(), organ.rest_areas.end(), areas_up_to.begin());
 
     for (std::uint64_t k = 0; k < most_draws; ++k) {
-        const SurfacePoint point = point_by_area(organ, areas_up_to, draw(inputs.seed, 2 * k + 1));
+        const EntryPoint point = point_by_area(organ, areas_up_to, draw(inputs.seed, 2 * k + 1));
         if (near_boundary(organ, point.position, reach)) continue;
         const Vec3 normal = mean_normal(organ, point, reach);
         const double skip = 1e-6 * reach;  // the surface at the point itself

@@ -27,7 +27,7 @@ std::string case_id_of(const CaseInputs& inputs) {
         {"strategy", inputs.strategy.name},
         {"options", to_json(inputs.strategy.options)},
         {"organ", inputs.organ.identity},
-        {"tool", inputs.tool->name},
+        {"tool", inputs.tool.identity},
         {"scene", inputs.scene},
         {"speed", inputs.speed},
         {"seed", inputs.seed},
@@ -48,7 +48,7 @@ std::string case_id_of(const CaseInputs& inputs) {
 
 std::vector<CaseInputs> list_cases(const Sweep& sweep) {
     std::vector<CaseInputs> cases;
-    const auto add = [&](const StrategyChoice& strategy, const OrganChoice& organ, const auto& tool,
+    const auto add = [&](const StrategyChoice& strategy, const OrganChoice& organ, const ToolChoice& tool,
                          const std::string& scene, double speed, std::uint64_t seed) {
         CaseInputs& inputs = cases.emplace_back(CaseInputs{.case_id = {},
                                                            .strategy = strategy,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,7 +14,7 @@ struct CaseInputs {
     std::string case_id;  ///< 128-bit hash of everything below but the label
     StrategyChoice strategy;
     OrganChoice organ;
-    std::shared_ptr<const Tool> tool;
+    ToolChoice tool;
     std::string scene;
     double speed;  ///< mm/s
     std::uint64_t seed;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
 #include "experiments/sweep/config.h"
 #include "experiments/sweep/sweep.h"
@@ -18,7 +17,7 @@ StrategyChoice read_strategy_entry(const ConfigValue& entry);
 OrganChoice read_organ_entry(const ConfigValue& entry, const std::filesystem::path& folder);
 
 /// A tool's name, or a table of `shape` and that shape's parameters.
-std::shared_ptr<const Tool> read_tool_entry(const ConfigValue& entry);
+ToolChoice read_tool_entry(const ConfigValue& entry);
 
 CycleSettings read_cycle(const ConfigTable& table);
 SpringSettings read_springs(const ConfigTable& table);

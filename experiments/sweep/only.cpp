@@ -18,7 +18,7 @@ const std::array<std::string, 6> filter_keys{"strategy", "organ", "tool", "scene
 std::vector<std::string> values_of(const CaseInputs& inputs, std::string_view key) {
     if (key == "strategy") return {inputs.strategy.name, inputs.strategy.label};
     if (key == "organ") return {inputs.organ.organ->name};
-    if (key == "tool") return {inputs.tool->name};
+    if (key == "tool") return {inputs.tool.tool->name};
     if (key == "scene") return {inputs.scene};
     if (key == "speed") return {fmt::format("{}", inputs.speed)};
     return {fmt::format("{}", inputs.seed)};

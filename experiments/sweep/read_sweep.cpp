@@ -107,7 +107,8 @@ Sweep read_tables(const ConfigTable& table, std::string text, const std::filesys
     if (const ConfigValue* springs = find(table, "deformation")) {
         sweep.springs = read_springs(as_table(*springs, "deformation"));
     }
-    sweep.tools = read_list(table, "tools", read_tool_entry, [](const auto& tool) { return tool->name; });
+    sweep.tools =
+        read_list(table, "tools", read_tool_entry, [](const ToolChoice& one) { return one.tool->name; });
     sweep.organs =
         read_list(table, "organs", organ_of, [](const OrganChoice& one) { return one.organ->name; });
     return sweep;

@@ -31,6 +31,14 @@ struct OrganChoice {
     std::vector<Finding> findings;  ///< what was mended in a mesh file, and what is worth knowing
 };
 
+struct ToolChoice {
+    /// What makes it this tool: its name, which states shape and parameters, or the hash of a file's bytes
+    /// with how it is turned, placed and scaled.
+    std::string identity;
+    std::shared_ptr<const Tool> tool;
+    std::vector<Finding> findings;  ///< as of an organ
+};
+
 /// A sweep file, read and checked: everything it names exists, is loaded once and shared. The cases are the
 /// full product of the six lists.
 struct Sweep {
@@ -38,7 +46,7 @@ struct Sweep {
     std::string text;  ///< of the file
     std::vector<StrategyChoice> strategies;
     std::vector<OrganChoice> organs;
-    std::vector<std::shared_ptr<const Tool>> tools;  ///< a tool's name states its shape and parameters
+    std::vector<ToolChoice> tools;
     std::vector<std::string> scenes;
     std::vector<double> speeds;        ///< mm/s
     std::vector<std::uint64_t> seeds;  ///< `seeds = 3` stands for 1, 2, 3

@@ -40,7 +40,7 @@ TEST(CaseId, ChangesWithEachInput) {
         [](CaseInputs& inputs) { inputs.strategy.options["feedback"] = false; },
         [](CaseInputs& inputs) { inputs.strategy.options["feedback"] = true; },
         [](CaseInputs& inputs) { inputs.organ.identity = "sphere@4mm"; },
-        [](CaseInputs& inputs) { inputs.tool = std::make_shared<Tool>(make_prism(6, 4.5)); },
+        [](CaseInputs& inputs) { inputs.tool.identity = "prism-6 r4.5 l80"; },
         [](CaseInputs& inputs) { inputs.scene = "sliding"; },
         [](CaseInputs& inputs) { inputs.speed = 400.00000000000006; },
         [](CaseInputs& inputs) { inputs.seed = 3; },

@@ -51,7 +51,7 @@ substeps = 7
     EXPECT_EQ(sweep.organs[0].organ->name, "sphere@10mm");
     EXPECT_NEAR(bounding_box(sweep.organs[1].organ->rest.positions).size().maxCoeff(), 100, 1e-9);
     ASSERT_THAT(sweep.tools, SizeIs(2));
-    EXPECT_NEAR(sweep.tools[1]->radius, 3, 1e-12);
+    EXPECT_NEAR(sweep.tools[1].tool->radius, 3, 1e-12);
     EXPECT_THAT(sweep.scenes, ElementsAre("penetration"));
     EXPECT_THAT(sweep.speeds, ElementsAre(20, 100.5));
     EXPECT_THAT(sweep.seeds, ElementsAre(3, 1));
