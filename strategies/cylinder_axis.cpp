@@ -2,11 +2,10 @@
 
 #include <Eigen/Geometry>
 
+#include "strategies/negligible.h"
+
 namespace trocar {
 namespace {
-
-/// Nearer to the axis than this part of the clearance a vertex lies on it.
-constexpr double negligible = 1e-6;
 
 class CylinderAxisStrategy final : public Strategy {
   public:
@@ -31,7 +30,7 @@ AxisExit leave_axis(const Contact& contact, Index vertex) {
     const Vec3 axis = tool.axis(), from_tip = x - tool.pose().position;
     const Vec3 offset = from_tip - axis.dot(from_tip) * axis;
     const double distance = offset.norm();
-    const bool on_axis = distance <= negligible * contact.clearance;
+    const bool on_axis = distance <= negligible_length(contact);
     const Vec3 away =
         on_axis ? tool.pose().direction_to_world(tool.tool().axis.unitOrthogonal()) : Vec3(offset / distance);
     return {.displacement = tool.exit_distance(x, away, contact.clearance) * away, .on_axis = on_axis};

@@ -134,7 +134,8 @@ Scene surface_scene(const std::string& tool, double depth) {
 }  // namespace
 
 const std::vector<std::string>& contract_tools() {
-    static const std::vector<std::string> tools = {"prism-3", "prism-4", "prism-12"};
+    static const std::vector<std::string> tools = {"prism-3", "prism-12", "pointed-prism-12", "needle",
+                                                   "grasper"};
     return tools;
 }
 
