@@ -14,10 +14,17 @@
 namespace trocar {
 
 const std::vector<StrategyEntry>& all_strategies() {
+    // One strategy a line, so that adding one changes one line.
+    // clang-format off
     static const std::vector<StrategyEntry> entries = {
-        fuzzy_per_vertex_entry(), nearest_face_entry(), cylinder_axis_entry(),
-        average_plane_entry(),    joint_vertex_entry(), tool_facet_entry(),
+        fuzzy_per_vertex_entry(),
+        nearest_face_entry(),
+        cylinder_axis_entry(),
+        average_plane_entry(),
+        joint_vertex_entry(),
+        tool_facet_entry(),
     };
+    // clang-format on
     return entries;
 }
 
