@@ -131,6 +131,14 @@ TEST(FuzzyPerVertex, FallsBackToTheNearestFaceWithoutMotion) {
     EXPECT_TRUE(response.displacements.at(0).displacement.isApprox(Vec3(0, 0, -1.51), 1e-12));
 }
 
+TEST(FuzzyPerVertex, AMotionBelowAMillionthOfTheClearanceIsNone) {
+    const auto fallbacks = [](double way) {
+        return answer(contract::single_vertex(vertex, contract::flat_base(vertex), {0, 0, -way})).fallbacks;
+    };
+    EXPECT_EQ(fallbacks(0.9e-8), 1);
+    EXPECT_EQ(fallbacks(1.1e-8), 0);
+}
+
 TEST(FuzzyPerVertex, FallsBackWhereTheFacetsCancel) {
     // A fold: two facets face up, two face down, so sliding normals sum to nothing.
     const std::vector<Vec3> fold = {vertex + Vec3(1, 0, 0), vertex + Vec3(0, 1, 0), vertex + Vec3(-1, 0, 0),

@@ -72,7 +72,14 @@ TEST(NearestFace, InANonConvexToolMayLeaveThroughAReentrantEdge) {
 }
 
 TEST(NearestFace, OnTheSurfaceTakesTheFacetsNormal) {
-    EXPECT_TRUE(moved_in_l_bar({3, 2 - 1e-12, 40}).isApprox(Vec3(0, 0.01, 0), 1e-9));
+    // Turned and far away, so that the way to the surface is nothing but rounding.
+    const Vec3 inside(3, 2 - 1e-13, 40);
+    auto scene = contract::single_vertex(inside, contract::flat_base(inside), {0, 0, -1});
+    scene.tool = std::make_shared<const Tool>(make_l_bar());
+    scene = contract::moved(scene, {.rotation = Eigen::AngleAxisd(1, Vec3(1, 2, 3).normalized()).matrix(),
+                                    .position = {300, -200, 100}});
+    const Vec3 found = contract::answer_of("nearest-face", scene).displacements.at(0).displacement;
+    EXPECT_TRUE(found.isApprox(scene.after.rotation * Vec3(0, 0.01, 0), 1e-9)) << found.transpose();
 }
 
 RC_GTEST_PROP(NearestFace, InAGrasperTakesTheShortestWayToTheSurface, (std::uint32_t seed)) {
