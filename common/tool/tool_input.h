@@ -15,8 +15,9 @@ struct ToolPlacement {
     Vec3 axis;  ///< direction from the tip to the handle, of any length
     /// What becomes the tool's origin. None: the height of the lowest vertex along the axis, on the line
     /// through the centroid of the volume.
-    std::optional<Vec3> tip = {};
-    std::optional<double> size = {};  ///< longest side of the box around the mesh, mm; none: as it is
+    std::optional<Vec3> tip = std::nullopt;
+    std::optional<double> size =
+        std::nullopt;  ///< longest side of the box around the mesh, mm; none: as it is
 };
 
 struct ToolInput {

@@ -1,8 +1,8 @@
 #include "common/tool/tool_input.h"
 
-#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,7 +52,7 @@ std::string error_of(const fs::path& file, const ToolPlacement& placement) {
 
 TEST(ToolInput, TurnsItsAxisUprightAndPutsItsTipAtTheOrigin) {
     const Tool needle = make_needle();
-    for (const double angle : {0.0, 1.0, 1.6, 3.0, 3.1415926, M_PI}) {
+    for (const double angle : {0.0, 1.0, 1.6, 3.0, std::numbers::pi - 1e-7, std::numbers::pi}) {
         // Lay the needle with its tip at (5, -3, 70), in another unit of length.
         const Mat3 turn = Eigen::AngleAxisd(angle, Vec3(3, 4, 0) / 5).toRotationMatrix();
         const Vec3 axis = 2 * turn.col(2);
@@ -80,6 +80,14 @@ TEST(ToolInput, AlongTheFilesOwnZAxisKeepsEveryCoordinate) {
     const Tool placed = read_tool(file.path(), {.axis = {0, 0, 1}}).tool;
     EXPECT_NEAR(placed.solid.box().low.z(), 0, 1e-12) << "the lowest point, between the jaws";
     EXPECT_NEAR(placed.radius, grasper.radius, 1e-9);
+}
+
+TEST(ToolInput, TakesTheLineThroughTheCentroidOfTheVolume) {
+    // A pyramid of height 3: its centroid is at a quarter of that, the mean of its corners is not.
+    const MeshFile file({{{1, 1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {0, 0, 3}},
+                         {{0, 2, 1}, {0, 3, 2}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
+    const Tool tool = read_tool(file.path(), {.axis = {1, 0, 0}}).tool;
+    EXPECT_TRUE(tool.solid.support(-Vec3::UnitX()).isApprox(Vec3(-2.25, 0, 1), 1e-12));
 }
 
 TEST(ToolInput, RefusesWhatIsNoTool) {

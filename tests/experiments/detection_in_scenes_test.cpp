@@ -73,9 +73,9 @@ class BruteForce {
         if (p_side == q_side && p_side != 0) return false;
         const std::array around{orientation_sign(p, q, a, b), orientation_sign(p, q, b, c),
                                 orientation_sign(p, q, c, a)};
-        const int zeros = static_cast<int>(std::ranges::count(around, 0));
-        if (zeros == 0 && !(around[0] == around[1] && around[1] == around[2])) return false;
-        if (zeros > 0 || p_side == 0 || q_side == 0) return std::nullopt;
+        const bool meets_a_line = std::ranges::count(around, 0) > 0;
+        if (!meets_a_line && (around[0] != around[1] || around[1] != around[2])) return false;
+        if (meets_a_line || p_side == 0 || q_side == 0) return std::nullopt;
         return true;
     }
     [[nodiscard]] bool crosses(const Corners& facet) const {
