@@ -27,11 +27,11 @@ class ToolFacetStrategy final : public Strategy {
   private:
     static std::optional<Vec3> direction_of(const Contact& contact, Index vertex) {
         const Vec3& x = contact.positions[vertex];
-        const auto motion = motion_vector(contact, x);
+        auto motion = motion_vector(contact, x);
         if (!motion) return std::nullopt;
-        const Vec3 normal = contact.tool.nearest_face(x).normal;
+        Vec3 normal = contact.tool.nearest_face(x).normal;
         const double along = motion->dot(normal);
-        if (along > fuzzy::threshold) return *motion;
+        if (along > fuzzy::threshold) return motion;
         if (along < -fuzzy::threshold) return -*motion;
         return normal;
     }

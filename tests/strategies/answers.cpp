@@ -1,6 +1,7 @@
 #include "tests/strategies/answers.h"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -11,26 +12,29 @@ constexpr double relative = 1e-7;
 
 std::string text(const Vec3& v) { return fmt::format("({}, {}, {})", v.x(), v.y(), v.z()); }
 
+/// Entries of the same vertex keep their order.
 template <typename Entry>
-void by_vertex(std::vector<Entry>& entries) {
-    std::ranges::stable_sort(entries, {}, &Entry::vertex);
+std::multimap<Index, Vec3> by_vertex(const std::vector<Entry>& entries, Vec3 Entry::*vector) {
+    std::multimap<Index, Vec3> ordered;
+    for (const Entry& entry : entries) ordered.emplace(entry.vertex, entry.*vector);
+    return ordered;
 }
 
-/// Compares lists of one vector a vertex.
+/// Compares one vector of each entry.
 template <typename Entry>
-std::string list_difference(const char* what, std::vector<Entry> expected, std::vector<Entry> found,
-                            Vec3 Entry::*vector, double allowed) {
+std::string list_difference(const char* what, const std::vector<Entry>& expected,
+                            const std::vector<Entry>& found, Vec3 Entry::*vector, double allowed) {
     if (expected.size() != found.size()) {
         return fmt::format("{} of {} vertices, expected {}", what, found.size(), expected.size());
     }
-    by_vertex(expected);
-    by_vertex(found);
-    for (std::size_t k = 0; k < expected.size(); ++k) {
-        const Entry &e = expected[k], &f = found[k];
-        if (e.vertex != f.vertex) return fmt::format("{} of vertex {}, not of {}", what, f.vertex, e.vertex);
-        if ((e.*vector - f.*vector).norm() <= allowed) continue;
-        return fmt::format("{} of vertex {}: {}, expected {}", what, f.vertex, text(f.*vector),
-                           text(e.*vector));
+    const auto right = by_vertex(expected, vector), given = by_vertex(found, vector);
+    for (auto r = right.begin(), g = given.begin(); r != right.end(); ++r, ++g) {
+        if (r->first != g->first) {
+            return fmt::format("{} of vertex {}, expected of {}", what, g->first, r->first);
+        }
+        if ((r->second - g->second).norm() <= allowed) continue;
+        return fmt::format("{} of vertex {}: {}, expected {}", what, g->first, text(g->second),
+                           text(r->second));
     }
     return {};
 }

@@ -33,7 +33,7 @@ Subject scripted(Script script) {
 
 /// Every collided vertex goes by what `displacement(contact, vertex)` says.
 template <typename Displacement>
-Subject moving(Displacement displacement) {
+Subject moving(const Displacement& displacement) {
     return scripted([displacement](const Contact& contact, Response& response) {
         for (const Index vertex : contact.collided) {
             response.displacements.push_back({vertex, displacement(contact, vertex)});
@@ -42,13 +42,13 @@ Subject moving(Displacement displacement) {
 }
 
 /// The same answer to every contact.
-Subject displacing(std::vector<VertexDisplacement> answer) {
+Subject displacing(const std::vector<VertexDisplacement>& answer) {
     return scripted([answer](const Contact&, Response& response) { response.displacements = answer; });
 }
-Subject pushing(std::vector<VertexForce> answer) {
+Subject pushing(const std::vector<VertexForce>& answer) {
     return scripted([answer](const Contact&, Response& response) { response.forces = answer; });
 }
-Subject confining(std::vector<HalfSpace> answer) {
+Subject confining(const std::vector<HalfSpace>& answer) {
     return scripted([answer](const Contact&, Response& response) { response.half_spaces = answer; });
 }
 

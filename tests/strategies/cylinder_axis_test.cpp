@@ -24,7 +24,7 @@ TEST(CylinderAxis, GoesOrthogonallyAwayFromTheAxis) {
 TEST(CylinderAxis, LeavesThroughTheSideThatIsInTheWay) {
     // At 30° from the x axis the side x + y = 4, moved out by g, is met at r = (4 + 0.01 √2) / (cos 30° + sin
     // 30°).
-    const double cosine = std::sqrt(3) / 2, sine = 0.5, start = 1.5;
+    const double cosine = std::numbers::sqrt3 / 2, sine = 0.5, start = 1.5;
     const Vec3 x(start * cosine, start * sine, 7);
     const Response response =
         answer_of("cylinder-axis", contract::single_vertex(x, contract::flat_base(x), {0, 0, -2}));

@@ -15,6 +15,9 @@ namespace {
 
 using Generator = std::mt19937_64;
 
+/// Scenes are the same in every run.
+Generator generator_of(std::uint64_t seed) { return Generator(seed); }
+
 double between(Generator& generator, double low, double high) {
     return low + (high - low) * std::ldexp(static_cast<double>(generator() >> 11U), -53);
 }
@@ -80,7 +83,7 @@ Index vertex_nearest(const Organ& organ, const Vec3& point) {
 /// The tool upright in an organ, after a step of `motion`; the organ's vertex nearest to `at` is inside.
 Scene upright_scene(const char* organ, const Vec3& at, const std::string& tool, const Vec3& motion) {
     Scene scene = world(shared(organ, make_organ_by_formula), tool);
-    Generator generator(1);
+    Generator generator = generator_of(1);
     const Vec3& entry = scene.positions[vertex_nearest(*scene.organ, at)];
     scene.after.position = entry - point_inside(generator, *scene.tool);
     scene.before.position = scene.after.position - motion;
@@ -97,7 +100,7 @@ Scene pole_scene(const std::string& tool, const Vec3& motion) {
 Scene swallowed_scene(const std::string& tool) {
     const auto shape = shared(tool, make_tool_by_formula);
     const SurfaceQueries queries(shape->mesh);
-    Generator generator(2);
+    Generator generator = generator_of(1);
     Vec3 middle = point_inside(generator, *shape);
     for (int k = 0; k < 20; ++k) {
         const Vec3 other = point_inside(generator, *shape);
@@ -122,7 +125,7 @@ Scene surface_scene(const std::string& tool, double depth) {
         const Vec3 &pa = mesh.positions[a], &pb = mesh.positions[b], &pc = mesh.positions[c];
         const Vec3 inwards = -depth * facet_normal(mesh.positions, mesh.facets[f]);
         for (const Vec3& on : {Vec3((pa + pb + pc) / 3), Vec3((pa + pb) / 2), pa})
-            below.push_back(on + inwards);
+            below.emplace_back(on + inwards);
     }
     for (std::size_t k = 0; k < below.size() && k < scene.positions.size(); ++k) {
         scene.positions[k] = scene.after.to_world(below[k]);
@@ -140,7 +143,7 @@ const std::vector<std::string>& contract_tools() {
 }
 
 Scene random_scene(std::uint64_t seed, const std::string& tool) {
-    Generator generator(seed);
+    Generator generator = generator_of(seed);
     const bool on_sheet = between(generator, 0, 1) < 0.3;
     Scene scene = world(shared(on_sheet ? "sheet@3mm" : "sphere@3mm", make_organ_by_formula), tool);
     for (Vec3& position : scene.positions) position += 0.3 * direction(generator);
