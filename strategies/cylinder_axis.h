@@ -9,6 +9,7 @@ struct AxisExit {
     Vec3 displacement;  ///< mm: orthogonally away from the tool's axis, to the exit from the tool
     bool on_axis;       ///< the vertex lies on the axis and went along a fixed direction of the tool
 };
+/// The exit of a collided vertex orthogonally away from the tool's axis.
 AxisExit leave_axis(const Contact& contact, Index vertex);
 
 /// The strategy `cylinder-axis`: [27] of the paper as its section III tells it.

@@ -17,6 +17,7 @@ enum class Normals {
 
 /// The option `normals` of both fuzzy strategies.
 OptionSpec normals_option();
+/// Its value.
 Normals normals_of(const Options& resolved);
 
 /// n_def of the paper: the outer unit normal of an organ facet; zero for a facet without area.
@@ -24,6 +25,7 @@ Vec3 organ_normal(const Contact& contact, Index facet, Normals normals);
 
 /// The option `memberships` of both fuzzy strategies: the shape of Fig. 2a.
 OptionSpec memberships_option();
+/// Its value.
 Shape shape_of(const Options& resolved);
 
 }  // namespace trocar::fuzzy

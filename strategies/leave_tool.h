@@ -15,6 +15,7 @@ enum class Fallback {
 
 /// The option `fallback` of strategies that may find no direction.
 OptionSpec fallback_option();
+/// Its value.
 Fallback fallback_of(const Options& resolved);
 
 /// Answers that collided `vertex` goes along the unit vector `direction` to its exit from the tool. Without a
