@@ -76,6 +76,13 @@ INSTANTIATE_TEST_SUITE_P(ConvexTools, BothPaths,
                              return name;
                          });
 
+TEST(GeneralSolid, AFacetThroughTheDiagonalOfAFlatSideCrosses) {
+    const SolidMesh mesh(make_prism(4).mesh);
+    // Its edge along the axis passes exactly through the diagonal that splits the flat end.
+    EXPECT_TRUE(GeneralSolid(mesh).crossed_by({Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(1, 1, -1)}));
+    EXPECT_FALSE(GeneralSolid(mesh).crossed_by({Vec3(0, 0, -1), Vec3(0, 0, 0), Vec3(1, 1, -1)}));
+}
+
 TEST(GeneralSolid, IsCrossedByFacetsThatCrossOneOfItsOwn) {
     const Tool tool = make_grasper();
     const SolidMesh mesh(tool.mesh);
