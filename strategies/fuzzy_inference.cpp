@@ -36,29 +36,38 @@ double infer(double previous, double evidence) {
     return weight;  // the rules' strengths sum to one, so this is their weighted average
 }
 
+/// Membership of ±I_C in the case at +1: from 0 to 1 around ε.
+double rise(double opposed, Shape shape) {
+    if (shape == Shape::crisp) return opposed > threshold ? 1 : 0;
+    constexpr double half_width = 1 - threshold;
+    const double t = std::clamp((opposed - threshold + half_width) / (2 * half_width), 0.0, 1.0);
+    return shape == Shape::smooth ? t * t * (3 - 2 * t) : t;
+}
+
 }  // namespace
 
-Cases memberships(double collision_index) {
-    constexpr double half_width = 1 - threshold;
-    const auto named = [](double opposed) {
-        return std::clamp((opposed - threshold + half_width) / (2 * half_width), 0.0, 1.0);
-    };
+Cases memberships(double collision_index, Shape shape) {
+    const auto named = [&](double opposed) { return rise(opposed, shape); };
     const double penetration = named(-collision_index), extraction = named(collision_index);
     return {.penetration = penetration, .sliding = 1 - penetration - extraction, .extraction = extraction};
 }
 
-Cases first_pass(double collision_index) {
-    const Cases evidence = memberships(collision_index);
+Cases first_pass(double collision_index, Shape shape) {
+    const Cases evidence = memberships(collision_index, shape);
     return {.penetration = evidence.penetration * high + (1 - evidence.penetration) * low,
             .sliding = evidence.sliding * high + (1 - evidence.sliding) * low,
             .extraction = evidence.extraction * high + (1 - evidence.extraction) * low};
 }
 
-Cases feedback(double collision_index, const Cases& previous) {
-    const Cases evidence = memberships(collision_index);
+Cases feedback(double collision_index, const Cases& previous, Shape shape) {
+    const Cases evidence = memberships(collision_index, shape);
     return {.penetration = infer(previous.penetration, evidence.penetration),
             .sliding = infer(previous.sliding, evidence.sliding),
             .extraction = infer(previous.extraction, evidence.extraction)};
+}
+
+Vec3 displacement(const Cases& weights, const Vec3& motion, const Vec3& normal) {
+    return weights.penetration * motion - weights.sliding * normal - weights.extraction * motion;
 }
 
 }  // namespace trocar::fuzzy

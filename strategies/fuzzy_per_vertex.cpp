@@ -4,40 +4,37 @@
 #include <cmath>
 #include <optional>
 
-#include "strategies/fuzzy_inference.h"
-#include "strategies/nearest_face.h"
+#include "strategies/fuzzy_reading.h"
+#include "strategies/leave_tool.h"
+#include "strategies/motion_vector.h"
 
 namespace trocar {
 namespace {
 
-/// Below this length per facet, in mm per mm, the facets' vectors cancel and name no direction (◇).
-constexpr double no_direction = 1e-6;
-
-/// Below this part of the clearance the tool's material at a vertex counts as not having moved.
-constexpr double no_motion = 1e-6;
-
 enum class Aggregate { sum, last, mean_normal };
-enum class Normals { current, reference };
 enum class Order { ring, strongest_first };
 
 struct Reading {
     Aggregate aggregate;
     bool feedback;
-    Normals normals;
+    fuzzy::Normals normals;
+    fuzzy::Shape shape;
     Order order;
     bool always_penetration;  // I = (1, 0, 0): the paper's Fig. 3c
+    Fallback fallback;
 };
 
 Reading reading_of(const Options& options) {
-    const std::string &aggregate = word(options, "aggregate"), &normals = word(options, "normals"),
-                      &order = word(options, "order");
+    const std::string& aggregate = word(options, "aggregate");
     return {.aggregate = aggregate == "sum"    ? Aggregate::sum
                          : aggregate == "last" ? Aggregate::last
                                                : Aggregate::mean_normal,
             .feedback = flag(options, "feedback"),
-            .normals = normals == "current" ? Normals::current : Normals::reference,
-            .order = order == "ring" ? Order::ring : Order::strongest_first,
-            .always_penetration = word(options, "case") == "penetration"};
+            .normals = fuzzy::normals_of(options),
+            .shape = fuzzy::shape_of(options),
+            .order = word(options, "order") == "ring" ? Order::ring : Order::strongest_first,
+            .always_penetration = word(options, "case") == "penetration",
+            .fallback = fallback_of(options)};
 }
 
 class FuzzyPerVertexStrategy final : public Strategy {
@@ -47,24 +44,17 @@ class FuzzyPerVertexStrategy final : public Strategy {
     [[nodiscard]] Promises promises() const override {
         // With feedback the ring's first facet decides, and the ring starts at the facet of lowest index.
         const bool order_matters = reading_.feedback || reading_.aggregate != Aggregate::sum;
-        return {.clears_convex_tools = true,
-                .clears_any_tool = true,
+        const bool clears = reading_.fallback == Fallback::nearest_face;
+        return {.clears_convex_tools = clears,
+                .clears_any_tool = clears,
                 .facet_order_free = !order_matters || reading_.always_penetration};
     }
 
     void handle(const Contact& contact, Response& response) override {
         for (const Index vertex : contact.collided) {
-            const auto motion =
-                contact.motion.direction_at(contact.positions[vertex], no_motion * contact.clearance);
+            const auto motion = motion_vector(contact, contact.positions[vertex]);
             const auto direction = motion ? direction_of(contact, vertex, *motion) : std::nullopt;
-            if (direction) {
-                const double exit =
-                    contact.tool.exit_distance(contact.positions[vertex], *direction, contact.clearance);
-                response.displacements.push_back({vertex, exit * *direction});
-            } else {
-                response.displacements.push_back({vertex, nearest_face_displacement(contact, vertex)});
-                ++response.fallbacks;
-            }
+            leave_tool(contact, vertex, direction, reading_.fallback, response);
         }
     }
 
@@ -77,7 +67,7 @@ class FuzzyPerVertexStrategy final : public Strategy {
         bool first = true;
         for (const Vec3& normal : normals_) {
             weights = weigh(motion.dot(normal), weights, first);
-            last = displacement(weights, motion, normal);
+            last = fuzzy::displacement(weights, motion, normal);
             total += last;
             normals += normal;
             first = false;
@@ -85,10 +75,12 @@ class FuzzyPerVertexStrategy final : public Strategy {
         if (reading_.aggregate == Aggregate::last) total = last;
         if (reading_.aggregate == Aggregate::mean_normal) {
             const double length = normals.norm();
-            total = displacement(weights, motion, length > 0 ? Vec3(normals / length) : Vec3(Vec3::Zero()));
+            total = fuzzy::displacement(weights, motion,
+                                        length > 0 ? Vec3(normals / length) : Vec3(Vec3::Zero()));
         }
         const double length = total.norm();
-        if (length < no_direction * static_cast<double>(normals_.size()) || length == 0) return std::nullopt;
+        if (length < fuzzy::no_direction * static_cast<double>(normals_.size()) || length == 0)
+            return std::nullopt;
         return total / length;
     }
 
@@ -96,9 +88,7 @@ class FuzzyPerVertexStrategy final : public Strategy {
     void gather_normals(const Contact& contact, Index vertex, const Vec3& motion) {
         normals_.clear();
         for (const Index facet : contact.organ.adjacency.ring(vertex)) {
-            normals_.push_back(reading_.normals == Normals::reference
-                                   ? contact.organ.rest_normals[facet]
-                                   : facet_normal(contact.positions, contact.organ.rest.facets[facet]));
+            normals_.push_back(fuzzy::organ_normal(contact, facet, reading_.normals));
         }
         if (reading_.order == Order::strongest_first) {
             std::ranges::stable_sort(normals_, std::ranges::greater{},
@@ -108,13 +98,8 @@ class FuzzyPerVertexStrategy final : public Strategy {
 
     [[nodiscard]] fuzzy::Cases weigh(double collision_index, const fuzzy::Cases& previous, bool first) const {
         if (reading_.always_penetration) return {.penetration = 1, .sliding = 0, .extraction = 0};
-        if (first || !reading_.feedback) return fuzzy::first_pass(collision_index);
-        return fuzzy::feedback(collision_index, previous);
-    }
-
-    /// Eq. (2).
-    static Vec3 displacement(const fuzzy::Cases& weights, const Vec3& motion, const Vec3& normal) {
-        return weights.penetration * motion - weights.sliding * normal - weights.extraction * motion;
+        if (first || !reading_.feedback) return fuzzy::first_pass(collision_index, reading_.shape);
+        return fuzzy::feedback(collision_index, previous, reading_.shape);
     }
 
     Reading reading_;
@@ -140,10 +125,8 @@ StrategyEntry fuzzy_per_vertex_entry() {
                    .default_value = true,
                    .summary = "whether a facet's weights depend on those of the facet before",
                    .choices = {}},
-                  {.name = "normals",
-                   .default_value = std::string("current"),
-                   .summary = "facet normals of the organ as the step found it, or at rest",
-                   .choices = {"current", "reference"}},
+                  fuzzy::memberships_option(),
+                  fuzzy::normals_option(),
                   {.name = "order",
                    .default_value = std::string("ring"),
                    .summary = "facets counter-clockwise from the one of lowest index, or by |I_C|",
@@ -151,7 +134,8 @@ StrategyEntry fuzzy_per_vertex_entry() {
                   {.name = "case",
                    .default_value = std::string("inferred"),
                    .summary = "the interaction case: inferred, or penetration always (Fig. 3c)",
-                   .choices = {"inferred", "penetration"}}}},
+                   .choices = {"inferred", "penetration"}},
+                  fallback_option()}},
         .make = [](const Options& options) -> std::unique_ptr<Strategy> {
             return std::make_unique<FuzzyPerVertexStrategy>(reading_of(options));
         }};

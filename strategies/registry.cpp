@@ -4,16 +4,27 @@
 #include <stdexcept>
 
 #include "common/nearest_name.h"
+#include "strategies/average_plane.h"
+#include "strategies/cylinder_axis.h"
 #include "strategies/fuzzy_per_vertex.h"
+#include "strategies/joint_vertex.h"
 #include "strategies/nearest_face.h"
+#include "strategies/tool_facet.h"
 
 namespace trocar {
 
 const std::vector<StrategyEntry>& all_strategies() {
+    // One strategy a line, so that adding one changes one line.
+    // clang-format off
     static const std::vector<StrategyEntry> entries = {
         fuzzy_per_vertex_entry(),
         nearest_face_entry(),
+        cylinder_axis_entry(),
+        average_plane_entry(),
+        joint_vertex_entry(),
+        tool_facet_entry(),
     };
+    // clang-format on
     return entries;
 }
 

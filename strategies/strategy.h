@@ -22,7 +22,9 @@ struct Description {
     std::string summary;    ///< one line
     std::string reference;  ///< where the method is from: paper, section, equation
     std::vector<OptionSpec> options;
-    bool keeps_state = false;  ///< its answer may depend on earlier steps
+    bool keeps_state = false;    ///< its answer may depend on earlier steps
+    bool swept_contact = false;  ///< it may move vertices that are not collided because the tool swept
+                                 ///< through them in this step
 };
 
 /// A collision-handling strategy: given what detection found in a step, says where organ vertices go.

@@ -1,7 +1,6 @@
 #include "common/geometry/solid.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "common/geometry/general_solid.h"
 
@@ -10,7 +9,7 @@ namespace trocar {
 struct Solid::Parts {
     explicit Parts(const SurfaceMesh& mesh) : solid(mesh), general(solid) {
         if (is_convex(solid)) {
-            planes.emplace(solid);
+            planes = std::make_unique<const ConvexSolid>(solid);
         } else {
             general.check_not_self_intersecting();
         }
@@ -18,12 +17,12 @@ struct Solid::Parts {
 
     SolidMesh solid;
     GeneralSolid general;
-    std::optional<ConvexSolid> planes;  // of a convex one
+    std::unique_ptr<const ConvexSolid> planes;  // of a convex one
 };
 
 Solid::Solid(const SurfaceMesh& mesh) : parts_(std::make_shared<const Parts>(mesh)) {}
 
-bool Solid::convex() const { return parts_->planes.has_value(); }
+bool Solid::convex() const { return parts_->planes != nullptr; }
 
 const Box& Solid::box() const { return parts_->solid.box; }
 

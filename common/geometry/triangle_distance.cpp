@@ -49,9 +49,9 @@ Interval in_cylinder(const Line& line, const Vec3& a, const Vec3& b, double reac
     const double length = (b - a).norm();
     if (length == 0) return {};
     const Vec3 axis = (b - a) / length, from_a = line.origin - a;
-    const double height = from_a.dot(axis), climb = line.direction.dot(axis);
-    Interval inside = in_ball(from_a - height * axis, line.direction - climb * axis, reach);
-    clip(inside, height, climb, 0, length);
+    const double along = from_a.dot(axis), speed = line.direction.dot(axis);
+    Interval inside = in_ball(from_a - along * axis, line.direction - speed * axis, reach);
+    clip(inside, along, speed, 0, length);
     return inside;
 }
 

@@ -9,9 +9,6 @@ namespace trocar {
 
 // What the formulas of tools share.
 
-inline constexpr int fewest_sides = 3;  ///< of a prism
-inline constexpr int most_sides = 64;
-
 /// Throws std::invalid_argument unless `value` is a positive, finite length (mm). `what` is such as
 /// "prism's radius".
 void check_length(std::string_view what, double value);

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "common/nearest_name.h"
-#include "common/tool/shape_parts.h"
 
 namespace trocar {
 namespace {

@@ -24,11 +24,14 @@ Tool make_tool_by_formula(std::string_view formula);
 // facets are exactly coplanar. Names state the parameters when one of them is not the default, as in "prism-6
 // r5 l80". All throw std::invalid_argument for a parameter out of range.
 
+inline constexpr int fewest_sides = 3;  ///< of a prism
+inline constexpr int most_sides = 64;
+
 inline constexpr double default_prism_radius = 4;   ///< mm
 inline constexpr double default_prism_length = 80;  ///< mm
 
 /// A straight prism with flat ends: its tip end is at z = 0, its corners are on a circle around +z.
-/// @param sides 3 to 64
+/// @param sides fewest_sides to most_sides
 /// @param radius of the circle, mm
 /// @param length along the axis, mm
 Tool make_prism(int sides, double radius = default_prism_radius, double length = default_prism_length);
@@ -40,7 +43,7 @@ struct PointedPrismSize {
 };
 
 /// A prism whose tip is a pyramid. Named like "pointed-prism-12", or "pointed-prism-12 r4 l80 t12".
-/// @param sides 3 to 64
+/// @param sides fewest_sides to most_sides
 Tool make_pointed_prism(int sides, const PointedPrismSize& size = {});
 
 struct NeedleSize {

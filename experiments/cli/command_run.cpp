@@ -47,6 +47,11 @@ void tell_findings(const Sweep& sweep) {
             fmt::print(stderr, "organ \"{}\": {}\n", organ.organ->name, describe(finding));
         }
     }
+    for (const ToolChoice& tool : sweep.tools) {
+        for (const Finding& finding : tool.findings) {
+            fmt::print(stderr, "tool \"{}\": {}\n", tool.tool->name, describe(finding));
+        }
+    }
 }
 
 RunRequest make_request(const RunOptions& options, const Sweep& sweep, const Program& program) {

@@ -26,7 +26,7 @@ struct EntryPoint {
 
 /// A point drawn uniformly by area. @param areas_up_to sum of the areas of the facets up to each
 EntryPoint point_by_area(const Organ& organ, const std::vector<double>& areas_up_to,
-                           const std::array<double, 4>& uniform) {
+                         const std::array<double, 4>& uniform) {
     const double at = uniform[0] * areas_up_to.back();
     const auto found = std::ranges::upper_bound(areas_up_to, at);
     const auto facet = std::min<std::size_t>(found - areas_up_to.begin(), areas_up_to.size() - 1);

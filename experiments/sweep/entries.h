@@ -16,8 +16,16 @@ StrategyChoice read_strategy_entry(const ConfigValue& entry);
 /// Throws MeshError for a file that cannot be used.
 OrganChoice read_organ_entry(const ConfigValue& entry, const std::filesystem::path& folder);
 
-/// A tool's name, or a table of `shape` and that shape's parameters.
-ToolChoice read_tool_entry(const ConfigValue& entry);
+/// A tool's name, a table of `shape` and that shape's parameters, or a table with `file`.
+ToolChoice read_tool_entry(const ConfigValue& entry, const std::filesystem::path& folder);
+
+/// A table of `file` (relative to `folder`), `axis` and perhaps `tip`, `size` and `name`. Throws MeshError
+/// for a file that cannot be used. @param place of the table
+ToolChoice read_tool_file(const ConfigTable& table, const ConfigValue& file, Place place,
+                          const std::filesystem::path& folder);
+
+/// The path that the text under a key `file` names; the file exists.
+std::filesystem::path mesh_file(const ConfigValue& file, const std::filesystem::path& folder);
 
 /// A scene's name, or a table of `name`, `file` (relative to `folder`) and perhaps `frame` for a recorded
 /// motion. Throws InputError, which names the file, for a recording that cannot be used.

@@ -36,11 +36,7 @@ OrganChoice from_file(const ConfigTable& table, Place place, const std::filesyst
     check_keys(table, "key of an organ", keys);
     const ConfigValue* file_value = find(table, "file");
     if (file_value == nullptr) throw PlacedError(place, "an organ's table needs the key file");
-    const std::filesystem::path file = folder / as_text(*file_value, "file");
-    if (!std::filesystem::exists(file)) {
-        throw PlacedError(file_value->place,
-                          fmt::format("no file {}; paths are relative to the sweep file", file.string()));
-    }
+    const std::filesystem::path file = mesh_file(*file_value, folder);
     std::optional<double> size;
     if (const ConfigValue* value = find(table, "size")) size = as_positive(*value, "size");
     OrganInput input = read_organ(file, size);
@@ -50,6 +46,13 @@ OrganChoice from_file(const ConfigTable& table, Place place, const std::filesyst
 }
 
 }  // namespace
+
+std::filesystem::path mesh_file(const ConfigValue& file, const std::filesystem::path& folder) {
+    std::filesystem::path path = folder / as_text(file, "file");
+    if (std::filesystem::exists(path)) return path;
+    throw PlacedError(file.place,
+                      fmt::format("no file {}; paths are relative to the sweep file", path.string()));
+}
 
 OrganChoice read_organ_entry(const ConfigValue& entry, const std::filesystem::path& folder) {
     const auto* table = std::get_if<ConfigTable>(&entry.content);

@@ -88,6 +88,7 @@ Sweep read_tables(const ConfigTable& table, std::string text, const std::filesys
     sweep.name = as_text(needed(table, "name"), "name");
     const auto organ_of = [&](const ConfigValue& entry) { return read_organ_entry(entry, folder); };
     const auto scene_of = [&](const ConfigValue& entry) { return read_scene_entry(entry, folder); };
+    const auto tool_of = [&](const ConfigValue& entry) { return read_tool_entry(entry, folder); };
     const auto speed_of = [](const ConfigValue& entry) { return as_positive(entry, "a speed"); };
     for (const ConfigValue& entry : as_list(needed(table, "strategies"), "strategies")) {
         sweep.strategies.push_back(read_strategy_entry(entry));
@@ -103,8 +104,7 @@ Sweep read_tables(const ConfigTable& table, std::string text, const std::filesys
     if (const ConfigValue* springs = find(table, "deformation")) {
         sweep.springs = read_springs(as_table(*springs, "deformation"));
     }
-    sweep.tools =
-        read_list(table, "tools", read_tool_entry, [](const ToolChoice& one) { return one.tool->name; });
+    sweep.tools = read_list(table, "tools", tool_of, [](const ToolChoice& one) { return one.tool->name; });
     sweep.organs =
         read_list(table, "organs", organ_of, [](const OrganChoice& one) { return one.organ->name; });
     return sweep;

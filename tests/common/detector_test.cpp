@@ -71,6 +71,17 @@ TEST(Detector, TouchingIsNotCrossing) {
     EXPECT_THAT(found.near_facets, ElementsAre(0, 1)) << "its box does touch both";
 }
 
+TEST(Detector, WhatLiesBetweenOpenJawsIsNeitherInsideNorCrossed) {
+    // Above the plane of the tips by 6 mm, the jaws are at 4 mm and more from the axis.
+    const Organ organ = make_organ(
+        "strip", {{{-1, -6.5, 6}, {1, -6.5, 6}, {-1, -2, 6}, {1, -2, 6}, {-1, 2, 6}, {1, 2, 6}, {0, 4.8, 6}},
+                  {{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 5, 4}, {4, 5, 6}}});
+    const Detected found = detect(organ, make_grasper(), upright({0, 0, 0}), upright({0, 0, 0}));
+    EXPECT_THAT(found.collided, ElementsAre(6)) << "in the jaw at +y";
+    EXPECT_THAT(found.crossed, ElementsAre(0, 1, 4)) << "the jaw at -y lies between 0, 1 and 2, 3";
+    EXPECT_THAT(found.near_facets, ElementsAre(0, 1, 2, 3, 4));
+}
+
 TEST(Detector, KnowsWhatTheToolSweptOver) {
     const Organ organ = make_organ_by_formula("sheet@5mm");
     // From above the sheet to below it in one step: nothing is inside the tool at the end, but it passed

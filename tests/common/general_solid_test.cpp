@@ -76,6 +76,31 @@ INSTANTIATE_TEST_SUITE_P(ConvexTools, BothPaths,
                              return name;
                          });
 
+TEST(GeneralSolid, AFacetThatMeetsOnlyTheDiagonalOfAFlatSideCrosses) {
+    // A box whose lower end is split along x = y; both edges of the facet that pierce it do so on that line.
+    const SolidMesh box(
+        {.positions =
+             {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 8}, {4, 0, 8}, {4, 4, 8}, {0, 4, 8}},
+         .facets = {{0, 2, 1},
+                    {0, 3, 2},
+                    {4, 5, 6},
+                    {4, 6, 7},
+                    {0, 1, 5},
+                    {0, 5, 4},
+                    {1, 2, 6},
+                    {1, 6, 5},
+                    {2, 3, 7},
+                    {2, 7, 6},
+                    {3, 0, 4},
+                    {3, 4, 7}}});
+    const Corners through{Vec3(1, 1, -1), Vec3(3, 3, -1), Vec3(2, 2, 1)};
+    const Corners touching{Vec3(1, 1, -1), Vec3(3, 3, -1), Vec3(2, 2, 0)};
+    EXPECT_TRUE(GeneralSolid(box).crossed_by(through));
+    EXPECT_TRUE(ConvexSolid(box).crossed_by(through));
+    EXPECT_FALSE(GeneralSolid(box).crossed_by(touching));
+    EXPECT_FALSE(ConvexSolid(box).crossed_by(touching));
+}
+
 TEST(GeneralSolid, IsCrossedByFacetsThatCrossOneOfItsOwn) {
     const Tool tool = make_grasper();
     const SolidMesh mesh(tool.mesh);

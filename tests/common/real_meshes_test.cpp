@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -7,8 +8,12 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "common/geometry/mesh_input.h"
+#include "common/geometry/surface_queries.h"
+#include "common/tool/tool_input.h"
+#include "tests/random_numbers.h"
 
 namespace trocar {
 namespace {
@@ -71,6 +76,37 @@ TEST(RealMeshes, MakeClosedOrgansOfTheAskedSize) {
         EXPECT_GT(signed_volume(input.organ.rest), 0);
         EXPECT_NEAR(bounding_box(input.organ.rest.positions).size().maxCoeff(), 100, 1e-9);
     }
+}
+
+TEST(RealMeshes, MakeToolsWhoseQueriesAreWhatCgalSays) {
+    std::size_t tools = 0;
+    for (const auto& mesh : real_meshes()) {
+        if (mesh.at("kind") != "tool") continue;
+        ++tools;
+        SCOPED_TRACE(mesh.at("file"));
+        const Tool tool = read_tool(folder_of_meshes() / mesh.at("file"), {.axis = {0, 0, 1}}).tool;
+        EXPECT_FALSE(tool.solid.convex());
+        EXPECT_NEAR(tool.solid.box().low.z(), 0, 1e-9);
+        const SurfaceQueries oracle(tool.mesh);
+        const auto depth = [&](const Vec3& at) {
+            return oracle.contains(at) ? -oracle.distance(at) : oracle.distance(at);
+        };
+        constexpr double clearance = 0.01;
+        EXPECT_TRUE(rc::check([&] {
+            const Vec3 point = testing_support::random_point(tool.solid.box().grown(0.5));
+            const Vec3 direction = testing_support::random_direction();
+            RC_ASSERT(std::abs((tool.solid.closest(point).position - point).norm() - oracle.distance(point)) <
+                      1e-9);
+            RC_ASSERT(tool.solid.contains(point) == oracle.contains(point));
+            const double exit = tool.solid.exit_distance(point, direction, clearance);
+            RC_ASSERT(depth(point + exit * direction) > clearance - 1e-10);
+            for (int k = 0; k < 5; ++k) {
+                const double before = exit * testing_support::random_number(0, 0.999999);
+                RC_ASSERT(exit == 0 || depth(point + before * direction) < clearance);
+            }
+        }));
+    }
+    if (tools == 0) GTEST_SKIP() << "no README.tsv with tools: set TROCAR_MESHES to their folder";
 }
 
 }  // namespace

@@ -186,12 +186,5 @@ RC_GTEST_PROP(Solid, IsCrossedByFacetsThatCrossOneOfItsOwn, ()) {
     RC_ASSERT(tool.solid.crossed_by(facet[0], facet[1], facet[2]) == crosses);
 }
 
-TEST(Solid, AFacetThroughTheDiagonalOfAnEndCrosses) {
-    const Tool tool = square_tool();
-    // Its edge along the axis passes exactly through the diagonal that splits the flat end.
-    EXPECT_TRUE(tool.solid.crossed_by({0, 0, -1}, {0, 0, 1}, {1, 1, -1}));
-    EXPECT_FALSE(tool.solid.crossed_by({0, 0, -1}, {0, 0, 0}, {1, 1, -1})) << "it only touches";
-}
-
 }  // namespace
 }  // namespace trocar

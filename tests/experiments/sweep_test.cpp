@@ -1,6 +1,9 @@
 #include "experiments/sweep/sweep.h"
 
 #include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -128,6 +131,18 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ToolParameter", "\"prism-6\"", "{ shape = \"prism\", sids = 6 }", "4:29",
                 "did you mean \"sides\"?"},
         Mistake{"ToolRange", "\"prism-6\"", "{ shape = \"prism\", sides = 2 }", "4:37", "3 to 64"},
+        Mistake{"ToolSidesHuge", "\"prism-6\"", "{ shape = \"prism\", sides = 4294967300 }", "4:37",
+                "3 to 64"},
+        Mistake{"ToolWithoutSides", "\"prism-6\"", "{ shape = \"pointed-prism\" }", "4:10", "the key sides"},
+        Mistake{"ToolOfNothing", "\"prism-6\"", "{ radius = 3 }", "4:10", "the key shape"},
+        Mistake{"NeedleKey", "\"prism-6\"", "{ shape = \"needle\", tip_angel = 6 }", "4:30",
+                "did you mean \"tip_angle\"?"},
+        Mistake{"NeedleTip", "\"prism-6\"", "{ shape = \"needle\", length = 10 }", "4:20", "tip is 17.1"},
+        Mistake{"GrasperRange", "\"prism-6\"", "{ shape = \"grasper\", opening = 80 }", "4:20",
+                "expected 1 to 60 degrees"},
+        Mistake{"GrasperParameter", "\"prism-6\"", "{ shape = \"grasper\", radius = -1 }", "4:40", "above 0"},
+        Mistake{"ToolFileMissing", "\"prism-6\"", "{ file = \"no.off\", axis = [0, 0, 1] }", "4:19",
+                "no.off"},
         Mistake{"UnknownScene", "\"penetration\"", "\"penetraton\"", "5:11", "did you mean \"penetration\"?"},
         Mistake{"SpeedZero", "[400]", "[100, 0]", "6:16", "above 0"},
         Mistake{"SpeedNegative", "[400]", "[-5]", "6:11", "above 0"},
@@ -149,6 +164,72 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"Damping", "seeds = 2", "seeds = 2\n[deformation]\ndamping = -1", "9:11", "negative"},
         Mistake{"Date", "seeds = 2", "seeds = 2009-11-05", "7:9", "dates"}),
     [](const auto& mistake) { return mistake.param.name; });
+
+TEST(ReadSweep, ReadsEveryShapeOfTool) {
+    const SweepFolder folder;
+    const Sweep sweep = folder.read(replaced(small_sweep, "[\"prism-6\"]", R"([
+"needle",
+{ shape = "prism", sides = 6, radius = 3 },
+{ shape = "pointed-prism", sides = 8, tip_length = 12 },
+{ shape = "needle", radius = 1, length = 70, tip_angle = 10 },
+{ shape = "grasper", radius = 3, length = 60, jaw_length = 15, opening = 25 }])"));
+    std::vector<std::string> names, identities;
+    for (const ToolChoice& choice : sweep.tools) {
+        names.push_back(choice.tool->name);
+        identities.push_back(choice.identity);
+    }
+    EXPECT_THAT(names, ElementsAre("needle", "prism-6 r3 l80", "pointed-prism-8 r4 l80 t12",
+                                   "needle r1 l70 a10", "grasper r3 l60 j15 o25"));
+    EXPECT_EQ(identities, names);
+}
+
+TEST(ReadSweep, ReadsAToolFromAFile) {
+    const SweepFolder folder;
+    const auto tool_of = [&](const std::string& keys) {
+        return folder.read(replaced(small_sweep, "\"prism-6\"", "{ " + keys + " }")).tools.at(0);
+    };
+    const std::filesystem::path mesh = folder.write("tools/pin.off", tetrahedron);
+    const ToolChoice pin = tool_of(R"(file = "tools/pin.off", axis = [2, 0, 0], tip = [0, 0, 0], size = 50)");
+    EXPECT_EQ(pin.tool->name, "pin s50");
+    EXPECT_EQ(pin.tool->solid.support(Vec3::UnitZ()), Vec3(0, 0, 50));
+    EXPECT_EQ(tool_of(R"(file = "tools/pin.off", axis = [0, 0, 1], name = "my pin")").tool->name, "my pin");
+
+    // Neither the path nor the name makes a tool, nor the length of its axis; each other key does.
+    static_cast<void>(folder.write("elsewhere/other.off", tetrahedron));
+    EXPECT_EQ(
+        tool_of(R"(file = "elsewhere/other.off", axis = [1, 0, 0], tip = [0, 0, 0], size = 50, name = "x")")
+            .identity,
+        pin.identity);
+    static_cast<void>(folder.write("tools/turned.off", replaced(tetrahedron, "0 0 1", "0 0 2")));
+    for (const char* other : {R"(file = "tools/pin.off", axis = [0, 1, 0], tip = [0, 0, 0], size = 50)",
+                              R"(file = "tools/pin.off", axis = [2, 0, 0], tip = [0, 0, 0.1], size = 50)",
+                              R"(file = "tools/pin.off", axis = [2, 0, 0], size = 50)",
+                              R"(file = "tools/pin.off", axis = [2, 0, 0], tip = [0, 0, 0], size = 51)",
+                              R"(file = "tools/pin.off", axis = [2, 0, 0], tip = [0, 0, 0])",
+                              R"(file = "tools/turned.off", axis = [2, 0, 0], tip = [0, 0, 0], size = 50)"}) {
+        EXPECT_NE(tool_of(other).identity, pin.identity) << other;
+    }
+}
+
+TEST(ReadSweep, MistakesInAToolFromAFileAreAnsweredWithTheirPlace) {
+    const SweepFolder folder;
+    const std::filesystem::path mesh = folder.write("pin.off", tetrahedron);
+    for (const auto& [keys, answer] : std::vector<std::pair<std::string, std::string>>{
+             {"", ":4:10: a tool from a file needs the key axis"},
+             {", axis = [0, 0, 0]", ":4:37: axis must be a direction"},
+             {", axis = [0, 1]", ":4:37: axis must have three numbers, x, y and z, not 2"},
+             {", axis = [0, 1, \"up\"]", ":4:44: axis must be a number"},
+             {", axis = [0, 0, 1], tp = [0, 0, 0]", "did you mean \"tip\"?"},
+             {", axis = [0, 0, 1], size = 0", ":4:55: size must be above 0"}}) {
+        try {
+            static_cast<void>(
+                folder.read(replaced(small_sweep, "\"prism-6\"", "{ file = \"pin.off\"" + keys + " }")));
+            FAIL() << keys << " was accepted";
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), HasSubstr(answer));
+        }
+    }
+}
 
 TEST(ReadSweep, AMissingFileIsNamed) {
     const SweepFolder folder;

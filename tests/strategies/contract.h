@@ -11,28 +11,35 @@
 /// kept, else what broke it; so the tests can also show that a bad strategy is found out.
 namespace trocar::contract {
 
-/// Makes a fresh instance of the strategy under test.
-using Maker = std::function<std::unique_ptr<Strategy>()>;
+/// The strategy under test.
+struct Subject {
+    Description description;
+    std::function<std::unique_ptr<Strategy>()> make;  ///< a fresh instance
+};
 
 /// Its answer is finite, and names only vertices that exist, each at most once.
-std::string violation_of_well_formed(const Maker& make, const Scene& scene);
+std::string violation_of_well_formed(const Subject& subject, const Scene& scene);
 
-/// It moves nothing when nothing collided.
-std::string violation_of_quiet_without_contact(const Maker& make);
+/// It does nothing when nothing collided. One that declares swept contact: when nothing is near the sweep.
+std::string violation_of_quiet_without_contact(const Subject& subject, const Scene& scene);
 
-/// What it promises: collided vertices leave the tool by at least g/2; others stay where they are.
-std::string violation_of_promises(const Maker& make, const Scene& scene);
+/// Where it promises so, every collided vertex leaves the tool, by at least g/2.
+std::string violation_of_clearing(const Subject& subject, const Scene& scene);
 
-/// The same scene moved or scaled gives the same answer moved or scaled.
-std::string violation_of_rigid_equivariance(const Maker& make, const Scene& scene, const Pose& by);
-std::string violation_of_scale_equivariance(const Maker& make, const Scene& scene, double factor);
+/// Where it promises so, its answer names no vertex that is not collided.
+std::string violation_of_leaving_others(const Subject& subject, const Scene& scene);
+
+/// The same scene moved or scaled gives the same answer moved or scaled. Forces are not compared when the
+/// scene is scaled: how they scale is the material's affair.
+std::string violation_of_rigid_equivariance(const Subject& subject, const Scene& scene, const Pose& by);
+std::string violation_of_scale_equivariance(const Subject& subject, const Scene& scene, double factor);
 
 /// Numbering vertices anew (and facets, where promised) changes nothing but the numbers.
-std::string violation_of_vertex_numbering(const Maker& make, const Scene& scene, std::uint64_t seed);
-std::string violation_of_facet_numbering(const Maker& make, const Scene& scene, std::uint64_t seed);
+std::string violation_of_vertex_numbering(const Subject& subject, const Scene& scene, std::uint64_t seed);
+std::string violation_of_facet_numbering(const Subject& subject, const Scene& scene, std::uint64_t seed);
 
-/// The same bits from the same instance again after another scene, from a fresh one, and on eight threads at
-/// once.
-std::string violation_of_repeatability(const Maker& make, const Scene& scene, const Scene& another);
+/// The same bits from the same instance again after another scene (unless it declares to keep state), from a
+/// fresh one, and on eight threads at once.
+std::string violation_of_repeatability(const Subject& subject, const Scene& scene, const Scene& another);
 
 }  // namespace trocar::contract

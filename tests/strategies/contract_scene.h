@@ -1,11 +1,12 @@
 #pragma once
 
 #include <memory>
-#include <random>
+#include <string_view>
 #include <vector>
 
 #include "common/cycle/contact.h"
 #include "common/detection/detector.h"
+#include "strategies/options.h"
 
 namespace trocar::contract {
 
@@ -37,19 +38,8 @@ struct Scene {
     }
 };
 
-/// A prism pushed some way into a dented sphere, or into a sheet, turning a little as it moves. The same for
-/// the same seed. Some vertex is collided.
-Scene random_scene(std::uint64_t seed);
-
-/// A tool beside the organ, moving: nothing collided.
-Scene scene_without_contact();
-
-/// Degenerate scenes, each with a name for messages.
-struct NamedScene {
-    const char* name;
-    Scene scene;
-};
-std::vector<NamedScene> degenerate_scenes();
+/// What the registered strategy `name` answers to the scene.
+Response answer_of(std::string_view name, const Scene& scene, const Options& options = {});
 
 /// The whole scene moved rigidly.
 Scene moved(const Scene& scene, const Pose& by);

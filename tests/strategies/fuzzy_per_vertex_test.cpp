@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "strategies/registry.h"
 #include "tests/strategies/single_vertex.h"
 
 namespace trocar {
@@ -12,10 +11,7 @@ namespace {
 using contract::Scene;
 
 Response answer(const Scene& scene, const Options& options = {}) {
-    Response response;
-    const auto strategy = make_strategy("fuzzy-per-vertex", options);
-    scene.with_contact([&](const Contact& contact) { strategy->handle(contact, response); });
-    return response;
+    return contract::answer_of("fuzzy-per-vertex", scene, options);
 }
 
 Vec3 direction(const Scene& scene, const Options& options = {}) {
@@ -27,11 +23,6 @@ Vec3 direction(const Scene& scene, const Options& options = {}) {
 
 const Vec3 vertex(0.3, 0.2, 1.5);
 
-/// Corners of a base in the plane of the vertex: every facet's normal is +z.
-std::vector<Vec3> flat_base() {
-    return {vertex + Vec3(3, 0, 0), vertex + Vec3(0, 3, 0), vertex + Vec3(-3, 0, 0), vertex + Vec3(0, -3, 0)};
-}
-
 /// A ridge along x: facets 0 and 1 lie on its +y side, 2 and 3 on its −y side, `slope` below the horizontal.
 std::vector<Vec3> ridge(double slope) {
     const double down = -std::tan(slope);
@@ -40,7 +31,7 @@ std::vector<Vec3> ridge(double slope) {
 }
 
 TEST(FuzzyPerVertex, PenetrationGoesAlongTheMotionToTheExit) {
-    const Scene scene = contract::single_vertex(vertex, flat_base(), {0, 0, -2});
+    const Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), {0, 0, -2});
     const Response response = answer(scene);
     ASSERT_EQ(response.displacements.size(), 1U);
     EXPECT_EQ(response.displacements[0].vertex, 0);
@@ -49,12 +40,12 @@ TEST(FuzzyPerVertex, PenetrationGoesAlongTheMotionToTheExit) {
 }
 
 TEST(FuzzyPerVertex, SlidingGoesAgainstTheNormal) {
-    const Scene scene = contract::single_vertex(vertex, flat_base(), {1, 0, 0});
+    const Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), {1, 0, 0});
     EXPECT_TRUE(direction(scene).isApprox(Vec3(0, 0, -1), 1e-12));
 }
 
 TEST(FuzzyPerVertex, ExtractionGoesAgainstTheMotion) {
-    const Scene scene = contract::single_vertex(vertex, flat_base(), {0, 0, 2});
+    const Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), {0, 0, 2});
     EXPECT_TRUE(direction(scene).isApprox(Vec3(0, 0, -1), 1e-12));
 }
 
@@ -62,9 +53,23 @@ TEST(FuzzyPerVertex, BetweenPenetrationAndSlidingIsBetweenTheirDirections) {
     // v_m at 45° to the normals: I = (½, ½, 0) in the first pass; without feedback the sum is ½ (v_m − n)
     // each.
     const Vec3 motion = Vec3(1, 0, -1).normalized();
-    const Scene scene = contract::single_vertex(vertex, flat_base(), motion);
+    const Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), motion);
     const Vec3 expected = (motion - Vec3(0, 0, 1)).normalized();
     EXPECT_TRUE(direction(scene, {{"feedback", false}}).isApprox(expected, 1e-4));
+}
+
+TEST(FuzzyPerVertex, MembershipsSayHowTheCasesPassIntoOneAnother) {
+    // I_C = −0.8, 0.0929 beyond −ε: t = ½ + 0.0929 / 0.5858 of the way to penetration.
+    const Vec3 motion(0.6, 0, -0.8);
+    const Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), motion);
+    const double t = 0.5 + 0.0929 / 0.5858;
+    const auto expected = [&](double p) { return (p * motion - (1 - p) * Vec3(0, 0, 1)).normalized(); };
+    const auto found = [&](const char* shape) {
+        return direction(scene, {{"feedback", false}, {"memberships", std::string(shape)}});
+    };
+    EXPECT_TRUE(found("ramp").isApprox(expected(t), 1e-12));
+    EXPECT_TRUE(found("smooth").isApprox(expected(t * t * (3 - 2 * t)), 1e-12));
+    EXPECT_TRUE(found("crisp").isApprox(motion, 1e-12));
 }
 
 TEST(FuzzyPerVertex, FeedbackFollowsTheHandWorkedExample) {
@@ -104,7 +109,7 @@ TEST(FuzzyPerVertex, StrongestFirstFeedsTheFacetsByTheirIndex) {
 }
 
 TEST(FuzzyPerVertex, ReferenceNormalsAreThoseAtRest) {
-    Scene scene = contract::single_vertex(vertex, flat_base(), {1, 0, 0});
+    Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), {1, 0, 0});
     for (std::size_t k = 1; k < scene.positions.size(); ++k)
         scene.positions[k].z() += 0.3 * scene.positions[k].y();
     const Vec3 tilted = Vec3(0, -0.3, 1).normalized();
@@ -113,14 +118,25 @@ TEST(FuzzyPerVertex, ReferenceNormalsAreThoseAtRest) {
 }
 
 TEST(FuzzyPerVertex, CasePenetrationIgnoresTheNormals) {
-    const Scene scene = contract::single_vertex(vertex, flat_base(), {1, 0, 0});
+    const Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), {1, 0, 0});
     EXPECT_TRUE(direction(scene, {{"case", std::string("penetration")}}).isApprox(Vec3(1, 0, 0), 1e-12));
 }
 
 TEST(FuzzyPerVertex, FallsBackToTheNearestFaceWithoutMotion) {
-    const Response response = answer(contract::single_vertex(vertex, flat_base(), {0, 0, 0}));
+    const Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), {0, 0, 0});
+    const Response response = answer(scene), staying = answer(scene, {{"fallback", std::string("stay")}});
     EXPECT_EQ(response.fallbacks, 1);
+    EXPECT_EQ(staying.fallbacks, 1);
+    EXPECT_TRUE(staying.displacements.empty());
     EXPECT_TRUE(response.displacements.at(0).displacement.isApprox(Vec3(0, 0, -1.51), 1e-12));
+}
+
+TEST(FuzzyPerVertex, AMotionBelowAMillionthOfTheClearanceIsNone) {
+    const auto fallbacks = [](double way) {
+        return answer(contract::single_vertex(vertex, contract::flat_base(vertex), {0, 0, -way})).fallbacks;
+    };
+    EXPECT_EQ(fallbacks(0.9e-8), 1);
+    EXPECT_EQ(fallbacks(1.1e-8), 0);
 }
 
 TEST(FuzzyPerVertex, FallsBackWhereTheFacetsCancel) {

@@ -21,4 +21,8 @@ Scene single_vertex(const Vec3& inside, const std::vector<Vec3>& corners, const 
     return scene;
 }
 
+std::vector<Vec3> flat_base(const Vec3& vertex) {
+    return {vertex + Vec3(3, 0, 0), vertex + Vec3(0, 3, 0), vertex + Vec3(-3, 0, 0), vertex + Vec3(0, -3, 0)};
+}
+
 }  // namespace trocar::contract

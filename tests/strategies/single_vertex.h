@@ -9,4 +9,7 @@ namespace trocar::contract {
 /// tool stands upright, tip at the origin; the material at the vertex moved by `motion` (mm).
 Scene single_vertex(const Vec3& inside, const std::vector<Vec3>& corners, const Vec3& motion);
 
+/// Corners of a square in the plane of the vertex: every facet's normal is +z.
+std::vector<Vec3> flat_base(const Vec3& vertex);
+
 }  // namespace trocar::contract
