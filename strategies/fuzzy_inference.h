@@ -1,6 +1,5 @@
 #pragma once
 
-/// The fuzzy inference of the paper's section IV; that it is of Takagi and Sugeno's kind is our choice (◇).
 namespace trocar::fuzzy {
 
 /// ε of the paper's Fig. 2a: where neighbouring interaction cases weigh the same (45°).
