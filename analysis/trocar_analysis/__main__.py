@@ -1,4 +1,4 @@
-"""The command line: `/usr/bin/python3 -m trocar_analysis show|snapshot …`. Exit code 0 when done, 2 for bad
+"""The command line: `/usr/bin/python3 -m trocar_analysis show|snapshot|scene …`. Exit code 0 when done, 2 for bad
 usage or input, with one line on stderr that says what is wrong."""
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="show|snapshot")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="show|snapshot|scene")
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
@@ -51,6 +51,11 @@ def make_parser() -> argparse.ArgumentParser:
         help="before handling, after it, or after the deformation; default: handled",
     )  # fmt: skip
     snapshot.set_defaults(function=run_snapshot)
+
+    scene = commands.add_parser("scene", help="a picture of a scene that `trocar snapshot --scene` has laid out")
+    scene.add_argument("file", help="description of the scene, JSON")
+    scene.add_argument("-o", "--output", required=True, metavar="FILE", help="picture: .png or .svg")
+    scene.set_defaults(function=run_scene)
     return parser
 
 
@@ -69,6 +74,12 @@ def run_snapshot(arguments: argparse.Namespace) -> None:
 
     a = arguments
     print(snapshot(a.file, a.case, a.step, a.output, a.alone, a.moment))
+
+
+def run_scene(arguments: argparse.Namespace) -> None:
+    from .scene_picture import draw_scene
+
+    print(draw_scene(arguments.file, arguments.output))
 
 
 def main() -> int:

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace trocar {
 namespace {
@@ -41,15 +42,24 @@ void demand_distinct_vertices(const std::vector<Entry>& entries, std::size_t ver
 
 }  // namespace
 
-Cycle::Cycle(const Organ& organ, const Tool& tool, const Pose& start, const CycleSettings& cycle,
+CycleStart start_at_rest(const Organ& organ, const Pose& tool) {
+    const std::size_t vertices = organ.rest.positions.size();
+    return {.tool = tool,
+            .organ = {.positions = organ.rest.positions,
+                      .velocities = std::vector<Vec3>(vertices, Vec3::Zero())},
+            .held = {}};
+}
+
+Cycle::Cycle(const Organ& organ, const Tool& tool, CycleStart start, const CycleSettings& cycle,
              const SpringSettings& springs)
     : settings_(cycle),
       detector_(organ),
       integrator_(surface_springs(organ, springs), springs.damping, springs.substeps),
       organ_(organ),
-      state_{organ.rest.positions, std::vector<Vec3>(organ.rest.positions.size(), Vec3::Zero())},
-      tool_(tool, start),
-      motion_(start, start) {
+      state_(std::move(start.organ)),
+      tool_(tool, start.tool),
+      motion_(start.tool, start.tool),
+      held_(std::move(start.held)) {
     if (!(cycle.rate > 0)) throw std::invalid_argument("the rate must be positive");
     if (!(cycle.clearance > 0)) throw std::invalid_argument("the clearance must be positive");
 }

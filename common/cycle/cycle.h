@@ -31,6 +31,16 @@ struct PhaseTimes {
     [[nodiscard]] std::int64_t cycle() const { return move + detect + handle + deform; }
 };
 
+/// What a cycle begins from.
+struct CycleStart {
+    Pose tool;
+    OrganState organ;
+    std::vector<Index> held;  ///< vertices that the tool holds from before (see Release), ascending
+};
+
+/// The organ at rest, untouched.
+CycleStart start_at_rest(const Organ& organ, const Pose& tool);
+
 /// Whatever answers a contact: a strategy's handle(), or a test's own function.
 using Handler = std::function<void(const Contact&, Response&)>;
 
@@ -39,8 +49,8 @@ using Handler = std::function<void(const Contact&, Response&)>;
 /// the caller may look at everything.
 class Cycle {
   public:
-    /// The organ at rest, the tool at `start`. Organ and tool must outlive the cycle.
-    Cycle(const Organ& organ, const Tool& tool, const Pose& start, const CycleSettings& cycle,
+    /// Organ and tool must outlive the cycle.
+    Cycle(const Organ& organ, const Tool& tool, CycleStart start, const CycleSettings& cycle,
           const SpringSettings& springs);
 
     /// Begins a step: the tool goes to `next`.

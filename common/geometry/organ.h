@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,14 @@
 
 namespace trocar {
 
+/// Where one looks into a cleft: the line between the upper edges of its two walls.
+struct Mouth {
+    Vec3 point;     ///< the middle of the line, mm
+    Vec3 normal;    ///< unit: straight out of the cleft
+    Vec3 along;     ///< unit: along the line
+    double length;  ///< of the line, mm
+};
+
 /// An organ at rest: everything about it that no step changes. Shared, read-only, by all cases that use it.
 struct Organ {
     std::string name;  ///< as it is written in results, such as "sphere@4mm"
@@ -15,6 +24,7 @@ struct Organ {
     Adjacency adjacency;
     std::vector<Vec3> rest_normals;  ///< outer unit normal of each facet at rest
     std::vector<double> rest_areas;  ///< area of each facet at rest, mm²
+    std::optional<Mouth> mouth;      ///< of an organ with a cleft
 };
 
 /// Throws std::invalid_argument when the mesh is not manifold (see Adjacency).

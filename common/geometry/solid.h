@@ -1,42 +1,40 @@
 #pragma once
 
-#include <array>
-#include <vector>
+#include <memory>
 
-#include "common/geometry/adjacency.h"
-#include "common/geometry/predicates.h"
-#include "common/geometry/surface_mesh.h"
+#include "common/geometry/convex_solid.h"
+#include "common/geometry/surface_queries.h"
 
 namespace trocar {
 
-/// Answer to "what of the surface is nearest?".
-struct NearestFace {
-    Index face;              ///< number of the flat face, in the order of their lowest facets
-    Vec3 normal;             ///< its outer unit normal
-    double signed_distance;  ///< of the asked point to the face's plane, mm: negative below it
-};
-
-/// The inside of a closed, convex triangle mesh, prepared once for queries in the mesh's own frame. Facets
-/// that lie in one plane count as one flat face.
+/// The inside of a closed triangle mesh, prepared once for queries in the mesh's own frame, convex or not.
+/// Copies share what is prepared; safe to ask from several threads.
 class Solid {
   public:
-    /// Throws std::invalid_argument when the mesh is not closed, not convex or has its normals inwards.
+    /// Throws std::invalid_argument when the mesh has a boundary, is not manifold, points inwards or meets
+    /// itself.
     explicit Solid(const SurfaceMesh& mesh);
+
+    /// Whether it is convex, decided exactly; a flat face may have any number of facets.
+    [[nodiscard]] bool convex() const;
 
     /// Whether `point` lies strictly inside, decided exactly for these very coordinates.
     [[nodiscard]] bool contains(const Vec3& point) const;
 
-    /// e(x, d) of the method: how far a point that is inside goes along the unit vector `direction` until it
-    /// is outside at a distance of at least `clearance` (mm). It meets the faces moved out by the clearance,
-    /// which at an edge may be a little further than needed. Infinite when no face lies ahead.
+    /// e(x, d) of the method: the smallest t >= 0 at which point + t direction lies outside at a distance of
+    /// at least `clearance` from the surface. The first such place: a point in one jaw of a tool is not sent
+    /// through the other.
+    /// @param direction of unit length
+    /// @param clearance mm, above zero
     [[nodiscard]] double exit_distance(const Vec3& point, const Vec3& direction, double clearance) const;
 
-    /// The face whose plane is nearest to a point inside; of equally near ones the lowest number. For a point
-    /// outside it is the face whose plane the point is furthest above.
+    /// Convex: the face whose plane is nearest to a point inside, and the one whose plane a point outside is
+    /// furthest above; the distance is to that plane. Otherwise: the face that carries the closest point of
+    /// the surface; the distance is to that point. Of faces equally near within rounding the lowest number.
     [[nodiscard]] NearestFace nearest_face(const Vec3& point) const;
 
-    /// Closest point of the surface.
-    [[nodiscard]] Vec3 closest_point(const Vec3& point) const;
+    /// The closest point of the surface; of facets equally near within rounding that of the lowest number.
+    [[nodiscard]] SurfacePoint closest(const Vec3& point) const;
 
     /// Whether a point outside is within `distance` (mm) of the solid; true for a point inside.
     [[nodiscard]] bool within(const Vec3& point, double distance) const;
@@ -48,30 +46,12 @@ class Solid {
     /// not crossing (see facets_cross).
     [[nodiscard]] bool crossed_by(const Vec3& a, const Vec3& b, const Vec3& c) const;
 
-    [[nodiscard]] const Box& box() const { return box_; }
-    [[nodiscard]] std::size_t face_count() const { return faces_.size(); }
+    [[nodiscard]] const Box& box() const;
+    [[nodiscard]] std::size_t face_count() const;
 
   private:
-    struct Face {
-        Vec3 normal;                // outer unit normal
-        double offset;              // normal · x on the face
-        std::vector<Index> facets;  // of the mesh, all exactly in this plane
-    };
-
-    [[nodiscard]] double height(const Face& face, const Vec3& point) const {
-        return face.normal.dot(point) - face.offset;
-    }
-
-    void gather_faces(const Adjacency& adjacency);
-    void check_convex() const;
-    [[nodiscard]] Corners corners(Index facet) const;
-    [[nodiscard]] int exact_side(const Face& face, const Vec3& point) const;
-
-    SurfaceMesh mesh_;
-    std::vector<std::array<bool, 3>> flat_edges_;  // per facet: its neighbour over edge k lies in its plane
-    std::vector<Face> faces_;
-    Box box_;
-    double rounding_ = 0;  // heights at most this far from zero (mm) may have the wrong sign
+    struct Parts;
+    std::shared_ptr<const Parts> parts_;
 };
 
 }  // namespace trocar

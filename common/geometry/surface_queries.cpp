@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
+
+#include "common/geometry/triangle_distance.h"
 
 namespace trocar {
 namespace {
@@ -22,6 +27,8 @@ using CgalMesh = CGAL::Surface_mesh<Point>;
 using Primitive = CGAL::AABB_face_graph_triangle_primitive<CgalMesh>;
 using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 using InsideTest = CGAL::Side_of_triangle_mesh<CgalMesh, Kernel, CGAL::Default, AabbTree>;
+
+using Node = CGAL::AABB_node<CGAL::AABB_traits<Kernel, Primitive>>;
 
 Point to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -40,6 +47,86 @@ CgalMesh to_cgal(const SurfaceMesh& mesh) {
     return copy;
 }
 
+Box box_of(const Node& node) {
+    const CGAL::Bbox_3& box = node.bbox();
+    return {{box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()}};
+}
+
+Corners corners_of(const SurfaceMesh& mesh, Index facet) {
+    const Facet& f = mesh.facets[facet];
+    return {mesh.positions[f[0]], mesh.positions[f[1]], mesh.positions[f[2]]};
+}
+
+/// A search of CGAL's tree for the facets whose boxes satisfy `accepts`.
+template <typename Accepts>
+struct Gather {
+    const SurfaceMesh& mesh;
+    Accepts accepts;
+    std::vector<Index> found;
+
+    [[nodiscard]] bool go_further() const { return true; }
+    [[nodiscard]] bool do_intersect(const Vec3&, const Node& node) const { return accepts(box_of(node)); }
+    void intersection(const Vec3&, const Primitive& primitive) {
+        const auto facet = static_cast<Index>(primitive.id().idx());
+        Box box;
+        for (const Vec3& corner : corners_of(mesh, facet)) box.add(corner);
+        if (accepts(box)) found.push_back(facet);
+    }
+};
+
+/// A search of CGAL's tree, nearer boxes first, for every facet that may be the closest one.
+struct Closest {
+    using Priority = double;
+    struct Candidate {
+        Index facet;
+        Vec3 position;
+        double distance;
+    };
+
+    const SurfaceMesh& mesh;
+    double rounding;
+    std::vector<Candidate> candidates;
+    double least = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] static double distance_to(const Vec3& point, const Node& node) {
+        const Box box = box_of(node);
+        return (point - point.cwiseMax(box.low).cwiseMin(box.high)).norm();
+    }
+    [[nodiscard]] bool go_further() const { return true; }
+    [[nodiscard]] bool do_intersect(const Vec3& point, const Node& node) const {
+        return distance_to(point, node) <= least + rounding;
+    }
+    [[nodiscard]] std::pair<bool, Priority> do_intersect_with_priority(const Vec3& point,
+                                                                       const Node& node) const {
+        const double distance = distance_to(point, node);
+        return {distance <= least + rounding, -distance};
+    }
+    void intersection(const Vec3& point, const Primitive& primitive) {
+        const auto facet = static_cast<Index>(primitive.id().idx());
+        const Vec3 position = closest_on_triangle(point, corners_of(mesh, facet));
+        const double distance = (position - point).norm();
+        if (distance > least + rounding) return;
+        candidates.push_back({facet, position, distance});
+        least = std::min(least, distance);
+    }
+};
+
+/// Whether the ray meets the box.
+bool meets(const Vec3& origin, const Vec3& direction, const Box& box) {
+    double begin = 0, end = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+        if (direction[k] == 0) {
+            if (origin[k] < box.low[k] || origin[k] > box.high[k]) return false;
+            continue;
+        }
+        const double one = (box.low[k] - origin[k]) / direction[k];
+        const double other = (box.high[k] - origin[k]) / direction[k];
+        begin = std::max(begin, std::min(one, other));
+        end = std::min(end, std::max(one, other));
+    }
+    return begin <= end;
+}
+
 }  // namespace
 
 struct SurfaceQueries::Tree {
@@ -52,6 +139,13 @@ struct SurfaceQueries::Tree {
         tree.build();
         tree.accelerate_distance_queries();
         return tree;
+    }
+
+    template <typename Accepts>
+    std::vector<Index> gather(Accepts accepts) const {
+        Gather<Accepts> search{mesh, std::move(accepts), {}};
+        tree.traversal(Vec3(Vec3::Zero()), search);
+        return std::move(search.found);
     }
 
     const SurfaceMesh& mesh;
@@ -86,6 +180,39 @@ bool SurfaceQueries::contains(const Vec3& point) const {
 
 double SurfaceQueries::distance(const Vec3& point) const {
     return std::sqrt(tree_->tree.squared_distance(to_point(point)));
+}
+
+SurfacePoint SurfaceQueries::closest(const Vec3& point, double rounding) const {
+    Closest search{tree_->mesh, rounding, {}};
+    tree_->tree.traversal_with_priority(point, search);
+    const Closest::Candidate* nearest = nullptr;
+    for (const Closest::Candidate& one : search.candidates) {
+        if (one.distance > search.least + rounding) continue;
+        if (nearest == nullptr || one.facet < nearest->facet) nearest = &one;
+    }
+    return {.position = nearest->position,
+            .facet = nearest->facet,
+            .normal = facet_normal(tree_->mesh.positions, tree_->mesh.facets[nearest->facet])};
+}
+
+std::vector<Index> SurfaceQueries::facets_near(const Box& box) const {
+    return tree_->gather([&](const Box& other) { return box.overlaps(other); });
+}
+
+std::vector<Index> SurfaceQueries::facets_along(const Vec3& origin, const Vec3& direction,
+                                                double margin) const {
+    return tree_->gather([&](const Box& box) { return meets(origin, direction, box.grown(margin)); });
+}
+
+std::optional<std::array<Index, 2>> SurfaceQueries::self_intersection() const {
+    std::vector<std::pair<CgalMesh::Face_index, CgalMesh::Face_index>> pairs;
+    CGAL::Polygon_mesh_processing::self_intersections(tree_->copy, std::back_inserter(pairs));
+    std::optional<std::array<Index, 2>> lowest;
+    for (const auto& [one, other] : pairs) {
+        const auto [a, b] = std::minmax(static_cast<Index>(one.idx()), static_cast<Index>(other.idx()));
+        if (!lowest || std::array{a, b} < *lowest) lowest = {a, b};
+    }
+    return lowest;
 }
 
 }  // namespace trocar

@@ -1,13 +1,22 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "common/geometry/surface_mesh.h"
 
 namespace trocar {
 
-/// Rays and inside-tests against one surface that does not move, by CGAL's tree; prepared once.
+/// A point of a surface.
+struct SurfacePoint {
+    Vec3 position;
+    Index facet;
+    Vec3 normal;  ///< outer unit normal of that facet
+};
+
+/// Searches of one surface that does not move, by CGAL's tree; prepared once.
 /// Safe to ask from several threads.
 class SurfaceQueries {
   public:
@@ -28,6 +37,21 @@ class SurfaceQueries {
 
     /// Distance to the surface, mm.
     [[nodiscard]] double distance(const Vec3& point) const;
+
+    /// The closest point of the surface; of facets whose distances differ by `rounding` (mm) or less from the
+    /// least that of the lowest number.
+    [[nodiscard]] SurfacePoint closest(const Vec3& point, double rounding) const;
+
+    /// The facets whose bounding box meets `box`, in no particular order.
+    [[nodiscard]] std::vector<Index> facets_near(const Box& box) const;
+
+    /// At least the facets within `margin` (mm) of the ray, in no particular order.
+    [[nodiscard]] std::vector<Index> facets_along(const Vec3& origin, const Vec3& direction,
+                                                  double margin) const;
+
+    /// Two facets that meet without being neighbours, or neighbours that meet elsewhere than they join; none
+    /// of a sound surface.
+    [[nodiscard]] std::optional<std::array<Index, 2>> self_intersection() const;
 
   private:
     struct Tree;

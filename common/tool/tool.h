@@ -31,6 +31,8 @@ class PlacedTool {
     /// Unit vector from tip to handle.
     [[nodiscard]] Vec3 axis() const { return pose_.direction_to_world(tool_->axis); }
 
+    [[nodiscard]] bool convex() const { return tool_->solid.convex(); }
+
     /// Strictly inside, exact at the point's judged coordinates.
     [[nodiscard]] bool contains(const Vec3& point) const {
         return tool_->solid.contains(judged_position(pose_, point));
@@ -46,9 +48,12 @@ class PlacedTool {
         nearest.normal = pose_.direction_to_world(nearest.normal);
         return nearest;
     }
-    /// Closest point of the tool's surface.
-    [[nodiscard]] Vec3 closest_point(const Vec3& point) const {
-        return pose_.to_world(tool_->solid.closest_point(judged_position(pose_, point)));
+    /// See Solid::closest; position and normal are in world coordinates.
+    [[nodiscard]] SurfacePoint closest(const Vec3& point) const {
+        SurfacePoint found = tool_->solid.closest(judged_position(pose_, point));
+        found.position = pose_.to_world(found.position);
+        found.normal = pose_.direction_to_world(found.normal);
+        return found;
     }
     /// Whether a point is within `distance` (mm) of the tool or inside it.
     [[nodiscard]] bool within(const Vec3& point, double distance) const {

@@ -1,88 +1,76 @@
 #include "common/tool/tool_shapes.h"
 
+#include <array>
 #include <charconv>
-#include <cmath>
-#include <numbers>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "common/nearest_name.h"
+#include "common/tool/shape_parts.h"
 
 namespace trocar {
 namespace {
 
-constexpr int fewest_sides = 3;
-constexpr int most_sides = 64;
-constexpr std::string_view prism_prefix = "prism-";
+constexpr std::string_view number = "N";  // stands for the number of sides in a shape's name
 
-void check_length(const char* what, double value) {
-    if (value > 0 && std::isfinite(value)) return;
-    throw std::invalid_argument(fmt::format("prism's {} {} mm: expected a positive length", what, value));
+struct Formula {
+    ToolShape shape;
+    Tool (*make)(int sides);
+};
+
+const std::array<Formula, 4>& formulas() {
+    static const std::array<Formula, 4> all{
+        Formula{
+            {"prism-N", "a straight prism of N sides (3 to 64), 4 mm in radius, 80 mm long, with flat ends"},
+            [](int sides) { return make_prism(sides); }},
+        Formula{{"pointed-prism-N", "the same with a pyramid of 8 mm as its tip"},
+                [](int sides) { return make_pointed_prism(sides); }},
+        Formula{{"needle", "0.75 mm in radius, 80 mm long, with a tip of 5 degrees and 16 sides"},
+                [](int) { return make_needle(); }},
+        Formula{{"grasper",
+                 "open jaws, not convex: 18 mm long, 20 degrees from the axis each, on a shaft of 2.5 mm in "
+                 "radius"},
+                [](int) { return make_grasper(); }},
+    };
+    return all;
 }
 
-// Vertices 0 to sides − 1 are the tip end's corners, counter-clockwise seen from the handle; the handle end's
-// follow in the same order.
-SurfaceMesh prism_mesh(Index sides, double radius, double length) {
-    SurfaceMesh mesh;
-    for (const double z : {0.0, length}) {
-        for (Index corner = 0; corner < sides; ++corner) {
-            const double angle = 2 * std::numbers::pi * corner / sides;
-            mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
-        }
-    }
-    for (Index corner = 0; corner < sides; ++corner) {
-        const Index next = (corner + 1) % sides;
-        mesh.facets.push_back({corner, next, sides + next});
-        mesh.facets.push_back({corner, sides + next, sides + corner});
-    }
-    for (Index corner = 1; corner + 1 < sides; ++corner) {
-        mesh.facets.push_back({0, corner + 1, corner});
-        mesh.facets.push_back({sides, sides + corner, sides + corner + 1});
-    }
-    return mesh;
+/// The sides that `text` states in the place of N; 0 for a shape without.
+int sides_of(std::string_view formula, std::string_view text, const ToolShape& shape) {
+    if (text.empty() && !shape.name.ends_with(number)) return 0;
+    int sides = 0;
+    const auto [end, error] = std::from_chars(text.begin(), text.end(), sides);
+    if (error == std::errc() && end == text.end() && sides >= fewest_sides && sides <= most_sides)
+        return sides;
+    const std::string_view stem(shape.name.data(), shape.name.size() - number.size());
+    throw std::invalid_argument(fmt::format(
+        "tool \"{}\": expected {}, N a whole number from 3 to 64, such as {}12", formula, shape.name, stem));
 }
 
 }  // namespace
 
 const std::vector<ToolShape>& all_tool_shapes() {
-    static const std::vector<ToolShape> shapes = {
-        {"prism-N", "a straight prism of N sides (3 to 64), 4 mm in radius, 80 mm long, with flat ends"},
-    };
+    static const std::vector<ToolShape> shapes = [] {
+        std::vector<ToolShape> all;
+        for (const Formula& formula : formulas()) all.push_back(formula.shape);
+        return all;
+    }();
     return shapes;
 }
 
 Tool make_tool_by_formula(std::string_view formula) {
-    if (!formula.starts_with(prism_prefix)) {
-        std::vector<std::string> names;
-        for (const ToolShape& shape : all_tool_shapes()) names.push_back(shape.name);
-        throw std::invalid_argument(unknown_name("tool", formula, names));
+    std::vector<std::string> names;
+    for (const auto& [shape, make] : formulas()) {
+        const bool numbered = shape.name.ends_with(number);
+        const std::string_view stem(shape.name.data(), shape.name.size() - (numbered ? number.size() : 0));
+        if (numbered ? formula.starts_with(stem) : formula == stem) {
+            return make(sides_of(formula, formula.substr(stem.size()), shape));
+        }
+        names.push_back(shape.name);
     }
-    const std::string_view text = formula.substr(prism_prefix.size());
-    int sides = 0;
-    const auto [end, error] = std::from_chars(text.begin(), text.end(), sides);
-    if (error != std::errc() || end != text.end() || sides < fewest_sides || sides > most_sides) {
-        throw std::invalid_argument(
-            fmt::format("tool \"{}\": expected prism-N, N a whole number from {} to {}, such as prism-12",
-                        formula, fewest_sides, most_sides));
-    }
-    return make_prism(sides);
-}
-
-Tool make_prism(int sides, double radius, double length) {
-    if (sides < fewest_sides || sides > most_sides) {
-        throw std::invalid_argument(
-            fmt::format("a prism of {} sides: expected {} to {}", sides, fewest_sides, most_sides));
-    }
-    check_length("radius", radius);
-    check_length("length", length);
-    std::string name = fmt::format("prism-{}", sides);
-    if (radius != default_prism_radius || length != default_prism_length) {
-        name += fmt::format(" r{} l{}", radius, length);
-    }
-    return make_tool(std::move(name), prism_mesh(sides, radius, length));
+    throw std::invalid_argument(unknown_name("tool", formula, names));
 }
 
 }  // namespace trocar

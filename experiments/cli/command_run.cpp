@@ -58,7 +58,10 @@ RunRequest make_request(const RunOptions& options, const Sweep& sweep, const Pro
                       .sweep_hash = hash_of(sweep.text)};
     request.cases = list_cases(sweep);
     for (const CaseInputs& inputs : request.cases) request.case_order.push_back(inputs.case_id);
-    request.cases = only(std::move(request.cases), options.filters);
+    SuitedCases suited_cases = suited(only(std::move(request.cases), options.filters));
+    for (const std::string& line : suited_cases.left_out) fmt::print(stderr, "{}\n", line);
+    if (suited_cases.cases.empty()) throw InputError("no case is left to run");
+    request.cases = std::move(suited_cases.cases);
     request.jobs = options.jobs;
     request.replay = options.replay;
     request.build_id = build_id();
@@ -72,8 +75,8 @@ void print_plan(const RunRequest& request) {
     for (const CaseInputs& inputs : pending) pending_ids.insert(inputs.case_id);
     for (const CaseInputs& inputs : request.cases) {
         fmt::print("{}  {}, {}, {}, {}, {} mm/s, seed {}{}\n", inputs.case_id, inputs.strategy.label,
-                   inputs.organ.organ->name, inputs.tool->name, inputs.scene, inputs.speed, inputs.seed,
-                   pending_ids.contains(inputs.case_id) ? "" : "  (done)");
+                   inputs.organ.organ->name, inputs.tool.tool->name, inputs.scene.name, inputs.speed,
+                   inputs.seed, pending_ids.contains(inputs.case_id) ? "" : "  (done)");
     }
     fmt::print("{} cases, {} of them to run; nothing was run\n", request.cases.size(), pending.size());
 }
@@ -142,7 +145,7 @@ void add_run(CLI::App& app, Program& program) {
         ->add_option(
             "--only", options->filters,
             "key=value: run these cases only. Keys: strategy (name or label), organ, tool, scene, speed, "
-            "seed. May be given several times: values of one key are alternatives")
+            "seed, release. May be given several times: values of one key are alternatives")
         ->allow_extra_args(false);
     command->add_flag("--dry-run", options->dry_run,
                       "check everything and list the cases; run and write nothing");

@@ -14,7 +14,6 @@
 #include "experiments/run/figures.h"
 #include "experiments/run/replay_recorder.h"
 #include "experiments/scenes/scene.h"
-#include "strategies/registry.h"
 
 namespace trocar {
 namespace {
@@ -47,18 +46,18 @@ std::string divergence(const Organ& organ, std::span<const Vec3> positions, doub
     return {};
 }
 
-Outcome run_steps(const CaseInputs& inputs, const ScenePlan& plan, Strategy& strategy, Gathered& gathered,
-                  const std::stop_token& stop) {
+Outcome run_steps(const CaseInputs& inputs, const PreparedScene& scene, Strategy& strategy,
+                  Gathered& gathered, const std::stop_token& stop) {
     const Organ& organ = *inputs.organ.organ;
     const double limit = diverged_diagonals * bounding_box(organ.rest.positions).size().norm();
-    Cycle cycle(organ, *inputs.tool, plan.start, inputs.cycle, inputs.springs);
-    Judge judge(organ, *inputs.tool);
+    Cycle cycle(organ, *inputs.tool.tool, scene.start, inputs.cycle, inputs.springs);
+    Judge judge(organ, *inputs.tool.tool);
     const Handler handler = [&](const Contact& contact, Response& response) {
         strategy.handle(contact, response);
     };
-    for (std::size_t step = 0; step < plan.poses.size(); ++step) {
+    for (std::size_t step = 0; step < scene.poses.size(); ++step) {
         if (stop.stop_requested()) return {.status = CaseStatus::complete, .reason = {}, .stopped = true};
-        cycle.move(plan.poses[step]);
+        cycle.move(scene.poses[step]);
         cycle.detect();
         judge.before(cycle);
         if (gathered.replay) record_detected(*gathered.replay, cycle);
@@ -71,28 +70,22 @@ Outcome run_steps(const CaseInputs& inputs, const ScenePlan& plan, Strategy& str
         }
         judge.deformed(cycle);
         if (gathered.replay) record_deformed(*gathered.replay, cycle);
-        append_step(gathered.series, judge.values(), cycle.times(), plan.window[step]);
+        append_step(gathered.series, judge.values(), cycle.times(), scene.window[step]);
     }
     return {};
 }
 
-/// Lays out the scene and runs it; turns whatever is thrown into a status.
-Outcome run_contained(const CaseInputs& inputs, Strategy& strategy, Gathered& gathered,
-                      const std::stop_token& stop) {
+/// Runs the scene; turns whatever is thrown into a status.
+Outcome run_contained(const CaseInputs& inputs, const SceneSource& scene_of, Strategy& strategy,
+                      Gathered& gathered, const std::stop_token& stop) {
     const auto failed = [&](std::string_view reason) {
         return Outcome{.status = CaseStatus::failed,
                        .reason = fmt::format("step {}: {}", gathered.series.steps(), reason)};
     };
     try {
-        const ScenePlan plan = find_scene(inputs.scene)
-                                   .plan({.organ = *inputs.organ.organ,
-                                          .organ_queries = *inputs.organ.queries,
-                                          .tool = *inputs.tool,
-                                          .speed = inputs.speed,
-                                          .dt = inputs.cycle.dt(),
-                                          .seed = inputs.seed});
-        gathered.window = plan.window;
-        return run_steps(inputs, plan, strategy, gathered, stop);
+        const std::shared_ptr<const PreparedScene> scene = scene_of(inputs);
+        gathered.window = scene->window;
+        return run_steps(inputs, *scene, strategy, gathered, stop);
     } catch (const PlacementError& error) {
         return {.status = CaseStatus::failed, .reason = error.what()};
     } catch (const std::bad_alloc&) {
@@ -113,8 +106,8 @@ std::vector<Cell> identifying_cells(const CaseInputs& inputs) {
         {"label", "", "the strategy's label in tables and figures", strategy.label},
         {"organ", "", "organ", inputs.organ.organ->name},
         {"organ_facets", "1", "facets of the organ", whole(inputs.organ.organ->rest.facets.size())},
-        {"tool", "", "tool", inputs.tool->name},
-        {"scene", "", "scene", inputs.scene},
+        {"tool", "", "tool", inputs.tool.tool->name},
+        {"scene", "", "scene", inputs.scene.name},
         {"speed", "mm/s", "speed of the tool", inputs.speed},
         {"rate", "Hz", "steps a second", inputs.cycle.rate},
         {"release", "", "when a handled vertex is free again", release_name(inputs.cycle.release)},
@@ -154,12 +147,12 @@ void add_steps(CaseRecord& record, Gathered&& gathered, double dt) {
 
 }  // namespace
 
-std::optional<CaseRecord> run_case(const CaseInputs& inputs, Strategy& strategy, bool with_replay,
-                                   const std::stop_token& stop) {
+std::optional<CaseRecord> run_case(const CaseInputs& inputs, const SceneSource& scene_of, Strategy& strategy,
+                                   bool with_replay, const std::stop_token& stop) {
     const auto started = Clock::now();
     Gathered gathered;
-    if (with_replay) gathered.replay = empty_replay(*inputs.organ.organ, *inputs.tool);
-    const Outcome outcome = run_contained(inputs, strategy, gathered, stop);
+    if (with_replay) gathered.replay = empty_replay(*inputs.organ.organ, *inputs.tool.tool);
+    const Outcome outcome = run_contained(inputs, scene_of, strategy, gathered, stop);
     if (outcome.stopped) return std::nullopt;
     const std::chrono::duration<double> wall = Clock::now() - started;
 
@@ -170,11 +163,6 @@ std::optional<CaseRecord> run_case(const CaseInputs& inputs, Strategy& strategy,
     std::ranges::move(figure_cells(gathered, outcome.status), std::back_inserter(record.cells));
     add_steps(record, std::move(gathered), inputs.cycle.dt());
     return record;
-}
-
-std::optional<CaseRecord> run_case(const CaseInputs& inputs, bool with_replay, const std::stop_token& stop) {
-    const std::unique_ptr<Strategy> strategy = make_strategy(inputs.strategy.name, inputs.strategy.options);
-    return run_case(inputs, *strategy, with_replay, stop);
 }
 
 }  // namespace trocar

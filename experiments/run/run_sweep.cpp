@@ -12,8 +12,10 @@
 #include "experiments/run/parts_folder.h"
 #include "experiments/run/provenance.h"
 #include "experiments/run/run_case.h"
+#include "experiments/run/shared_scenes.h"
 #include "results/store.h"
 #include "results/xdmf.h"
+#include "strategies/registry.h"
 
 namespace trocar {
 namespace {
@@ -31,6 +33,15 @@ std::vector<CaseInputs> pending_of(const RunRequest& request, const DoneCases& d
     return pending;
 }
 
+/// Cases of one scene after each other, the scenes in the order of their first case: a scene is prepared
+/// once, and a run that is cut off leaves comparisons that are whole.
+std::vector<CaseInputs> by_scene(std::vector<CaseInputs> cases) {
+    std::map<std::string, std::size_t> rank;
+    for (const CaseInputs& inputs : cases) rank.try_emplace(inputs.scene_id, rank.size());
+    std::ranges::stable_sort(cases, {}, [&](const CaseInputs& inputs) { return rank.at(inputs.scene_id); });
+    return cases;
+}
+
 std::string text_cell(const CaseRecord& record, std::string_view name) {
     const auto cell = std::ranges::find(record.cells, name, &Cell::name);
     return std::get<std::string>(cell->value);
@@ -38,8 +49,8 @@ std::string text_cell(const CaseRecord& record, std::string_view name) {
 
 std::string failure_line(const CaseInputs& inputs, const CaseRecord& record) {
     return fmt::format("{}: {}, {}, {}, {}, {} mm/s, seed {}: {}", text_cell(record, "status"),
-                       inputs.strategy.label, inputs.organ.organ->name, inputs.tool->name, inputs.scene,
-                       inputs.speed, inputs.seed, text_cell(record, "reason"));
+                       inputs.strategy.label, inputs.organ.organ->name, inputs.tool.tool->name,
+                       inputs.scene.name, inputs.speed, inputs.seed, text_cell(record, "reason"));
 }
 
 /// Writes the case as a part and books it.
@@ -90,15 +101,19 @@ RunOutcome run_sweep(const RunRequest& request,
                      const std::stop_token& stop) {
     const PartsFolder parts(request.out);
     DoneCases done = find_done_cases(request.out, request.header.sweep_hash);
-    const std::vector<CaseInputs> pending = pending_of(request, done);
+    const std::vector<CaseInputs> pending = by_scene(pending_of(request, done));
     RunOutcome outcome;
     outcome.kept = request.cases.size() - pending.size();
 
+    SharedScenes scenes(pending);
+    const SceneSource scene_of = [&](const CaseInputs& inputs) { return scenes.scene_of(inputs); };
     std::mutex guard;  // of `done` and `outcome`, and of on_progress
     for_each_case(pending, request.jobs, stop,
                   [&](const CaseInputs& inputs, const std::stop_token& stop_case) {
                       const std::string start = now_utc();
-                      std::optional<CaseRecord> record = run_case(inputs, request.replay, stop_case);
+                      const auto strategy = make_strategy(inputs.strategy.name, inputs.strategy.options);
+                      std::optional<CaseRecord> record =
+                          run_case(inputs, scene_of, *strategy, request.replay, stop_case);
                       if (!record) return;
                       const std::filesystem::path file = parts.path() / (inputs.case_id + ".h5");
                       store_case(*record, request, file, start);

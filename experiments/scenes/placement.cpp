@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <unordered_set>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -17,13 +19,13 @@ namespace {
 constexpr std::uint64_t most_draws = 10'000;
 
 /// A point of the organ at rest and the facet it lies on.
-struct SurfacePoint {
+struct EntryPoint {
     Vec3 position;
     std::size_t facet;
 };
 
 /// A point drawn uniformly by area. @param areas_up_to sum of the areas of the facets up to each
-SurfacePoint point_by_area(const Organ& organ, const std::vector<double>& areas_up_to,
+EntryPoint point_by_area(const Organ& organ, const std::vector<double>& areas_up_to,
                            const std::array<double, 4>& uniform) {
     const double at = uniform[0] * areas_up_to.back();
     const auto found = std::ranges::upper_bound(areas_up_to, at);
@@ -35,15 +37,24 @@ SurfacePoint point_by_area(const Organ& organ, const std::vector<double>& areas_
     return {(1 - along) * p[a] + along * (1 - across) * p[b] + along * across * p[c], facet};
 }
 
-/// Mean outer normal, by area, of the facets whose centre is within `radius` of the point.
-Vec3 mean_normal(const Organ& organ, const SurfacePoint& point, double radius) {
-    Vec3 sum = organ.rest_areas[point.facet] * organ.rest_normals[point.facet];
-    for (std::size_t f = 0; f < organ.rest.facets.size(); ++f) {
-        const auto [a, b, c] = organ.rest.facets[f];
-        const auto& p = organ.rest.positions;
-        const Vec3 centre = (p[a] + p[b] + p[c]) / 3;
-        if (f != point.facet && (centre - point.position).norm() <= radius) {
-            sum += organ.rest_areas[f] * organ.rest_normals[f];
+/// Mean outer normal, by area, of the facets that are connected to the point by facets whose centre is within
+/// `radius` of it.
+Vec3 mean_normal(const Organ& organ, const EntryPoint& point, double radius) {
+    const auto& p = organ.rest.positions;
+    std::vector<std::size_t> connected{point.facet};
+    std::unordered_set<std::size_t> seen{point.facet};
+    Vec3 sum = Vec3::Zero();
+    // The list grows while it is walked: a flood over shared vertices.
+    for (std::size_t next = 0; next < connected.size(); ++next) {
+        sum += organ.rest_areas[connected[next]] * organ.rest_normals[connected[next]];
+        for (const Index vertex : organ.rest.facets[connected[next]]) {
+            for (const Index beside : organ.adjacency.ring(vertex)) {
+                const auto [a, b, c] = organ.rest.facets[beside];
+                const Vec3 centre = (p[a] + p[b] + p[c]) / 3;
+                if ((centre - point.position).norm() <= radius && seen.insert(beside).second) {
+                    connected.push_back(beside);
+                }
+            }
         }
     }
     return sum.normalized();
@@ -74,32 +85,52 @@ bool near_boundary(const Organ& organ, const Vec3& point, double distance) {
     });
 }
 
+/// Whether the way from `from` to `to` comes nearer than `distance` to the organ's boundary.
+bool way_near_boundary(const Organ& organ, const Vec3& from, const Vec3& to, double distance) {
+    if (organ.adjacency.closed()) return false;
+    const auto parts = static_cast<int>(std::ceil(4 * (to - from).norm() / distance));
+    for (int k = 0; k <= parts; ++k) {
+        const double part = parts == 0 ? 0 : static_cast<double>(k) / parts;
+        if (near_boundary(organ, from + part * (to - from), distance)) return true;
+    }
+    return false;
+}
+
+std::string no_place(const SceneInputs& inputs, const PlacementRule& rule) {
+    const double reach = 2 * inputs.tool.radius;
+    const std::string where =
+        inputs.organ.adjacency.closed() ? "" : fmt::format("at least {:.4g} mm from a boundary and ", reach);
+    return rule.thin
+               ? fmt::format("seed {}: none of {} points drawn on organ \"{}\" is {}opposite a wall nearer than "
+                             "{:.4g} mm; use a thinner organ (tube, cleft, or a smaller \"size\")",
+                             inputs.seed, most_draws, inputs.organ.name, where, 2 * rule.depth)
+               : fmt::format("seed {}: none of {} points drawn on organ \"{}\" is {}{:.4g} mm thick; use a larger "
+                             "organ (its \"size\") or a slimmer tool",
+                             inputs.seed, most_draws, inputs.organ.name, where, 2 * rule.depth);
+}
+
 }  // namespace
 
-Placement place(const SceneInputs& inputs, double depth) {
+Placement place(const SceneInputs& inputs, const PlacementRule& rule) {
     const Organ& organ = inputs.organ;
     const double reach = 2 * inputs.tool.radius;
+    const auto free = draw(inputs.seed, 0);
     std::vector<double> areas_up_to(organ.rest_areas.size());
     std::inclusive_scan(organ.rest_areas.begin(), organ.rest_areas.end(), areas_up_to.begin());
 
     for (std::uint64_t k = 0; k < most_draws; ++k) {
-        const SurfacePoint point = point_by_area(organ, areas_up_to, draw(inputs.seed, 2 * k + 1));
-        if (near_boundary(organ, point.position, reach)) continue;
+        const EntryPoint point = point_by_area(organ, areas_up_to, draw(inputs.seed, 2 * k + 1));
+        const Vec3& entry = point.position;
+        if (way_near_boundary(organ, entry, entry, reach)) continue;
         const Vec3 normal = mean_normal(organ, point, reach);
+        const Vec3 tangent = tangent_of(normal, free[0]);
+        if (way_near_boundary(organ, entry, entry + rule.aside * tangent, reach)) continue;
         const double skip = 1e-6 * reach;  // the surface at the point itself
-        const auto through = inputs.organ_queries.distance_to_exit(point.position, -normal, skip);
-        if (through && *through < 2 * depth) continue;
-        const auto free = draw(inputs.seed, 0);
-        return {.entry = point.position,
-                .normal = normal,
-                .tangent = tangent_of(normal, free[0]),
-                .phase = free[1]};
+        const auto through = inputs.organ_queries.distance_to_exit(entry, -normal, skip);
+        if ((through && *through < 2 * rule.depth) != rule.thin) continue;
+        return {.entry = entry, .normal = normal, .tangent = tangent, .phase = free[1]};
     }
-    throw PlacementError(
-        fmt::format("seed {}: none of {} points drawn on organ \"{}\" is at least {} mm from a boundary and "
-                    "{} mm thick; use a "
-                    "larger organ (its \"size\") or a slimmer tool",
-                    inputs.seed, most_draws, organ.name, reach, 2 * depth));
+    throw PlacementError(no_place(inputs, rule));
 }
 
 Pose upright_pose(const Placement& placement, const Vec3& tip) {
@@ -109,6 +140,21 @@ Pose upright_pose(const Placement& placement, const Vec3& tip) {
     pose.rotation.col(2) = placement.normal;
     pose.position = tip;
     return pose;
+}
+
+std::string unsuited(const SceneEntry& scene, SceneInputs inputs) {
+    try {
+        (void)scene.place(inputs);
+        return {};
+    } catch (const PlacementError&) {
+        ++inputs.seed;
+    }
+    try {
+        (void)scene.place(inputs);
+        return {};
+    } catch (const PlacementError& error) {
+        return error.what();
+    }
 }
 
 }  // namespace trocar

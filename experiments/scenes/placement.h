@@ -4,12 +4,25 @@
 
 namespace trocar {
 
+/// Where on an organ a scene may begin.
+struct PlacementRule {
+    double depth;       ///< mm that the tool goes below the surface
+    bool thin = false;  ///< where the opposite wall is nearer than twice the depth, instead of not there
+    double aside = 0;   ///< mm that the tool goes along the tangent
+};
+
 /// Where the seed puts the tool: an entry point drawn uniformly by area, at least two tool radii from the
-/// boundary of an open organ. Points whose inward ray leaves the organ nearer than twice `depth` (mm) are not
-/// drawn. Throws PlacementError when no such point is found.
-Placement place(const SceneInputs& inputs, double depth);
+/// boundary of an open organ, and so is the way aside. The inward ray leaves the organ no nearer than twice
+/// the depth or, where the rule says thin, nearer. The normal is the mean over the facets that are connected
+/// to the entry point within two tool radii: those of an opposite wall do not count. Throws PlacementError
+/// when 10,000 draws find no such point.
+Placement place(const SceneInputs& inputs, const PlacementRule& rule);
 
 /// The pose of a tool whose axis points along the placement's normal, tip at `tip`.
 Pose upright_pose(const Placement& placement, const Vec3& tip);
+
+/// Why the scene has no place on this organ with this tool, whatever the seed: the error of the inputs' seed
+/// and of the next one. Empty when one of the two finds a place.
+std::string unsuited(const SceneEntry& scene, SceneInputs inputs);
 
 }  // namespace trocar

@@ -3,12 +3,15 @@
 #include <algorithm>
 
 #include "common/nearest_name.h"
-#include "experiments/scenes/penetration.h"
+#include "experiments/scenes/scene_list.h"
 
 namespace trocar {
 
 const std::vector<SceneEntry>& all_scenes() {
-    static const std::vector<SceneEntry> entries = {penetration_entry()};
+    static const std::vector<SceneEntry> entries = {
+        scenes::penetration(), scenes::thin(),  scenes::extraction(), scenes::sliding(),   scenes::oblique(),
+        scenes::cutting(),     scenes::pivot(), scenes::twisting(),   scenes::breathing(), scenes::recorded(),
+    };
     return entries;
 }
 

@@ -22,20 +22,18 @@ std::string options_json(const Options& options) { return to_json(options).dump(
 
 std::string release_name(Release release) { return release == Release::contact ? "contact" : "step"; }
 
-std::string case_id_of(const CaseInputs& inputs) {
-    const nlohmann::json object{
-        {"strategy", inputs.strategy.name},
-        {"options", to_json(inputs.strategy.options)},
+namespace {
+
+/// What decides how a scene starts and goes on, whatever the strategy.
+nlohmann::json scene_json(const CaseInputs& inputs) {
+    return {
         {"organ", inputs.organ.identity},
-        {"tool", inputs.tool->name},
-        {"scene", inputs.scene},
+        {"tool", inputs.tool.identity},
+        {"scene", inputs.scene.identity},
         {"speed", inputs.speed},
         {"seed", inputs.seed},
         {"fractions", 1},
-        {"cycle",
-         {{"rate", inputs.cycle.rate},
-          {"clearance", inputs.cycle.clearance},
-          {"release", release_name(inputs.cycle.release)}}},
+        {"cycle", {{"rate", inputs.cycle.rate}, {"clearance", inputs.cycle.clearance}}},
         {"deformation",
          {{"density", inputs.springs.density},
           {"edge_stiffness", inputs.springs.edge_stiffness},
@@ -43,14 +41,24 @@ std::string case_id_of(const CaseInputs& inputs) {
           {"damping", inputs.springs.damping},
           {"substeps", inputs.springs.substeps}}},
     };
+}
+
+}  // namespace
+
+std::string case_id_of(const CaseInputs& inputs) {
+    nlohmann::json object = scene_json(inputs);
+    object["strategy"] = inputs.strategy.name;
+    object["options"] = to_json(inputs.strategy.options);
+    object["cycle"]["release"] = release_name(inputs.cycle.release);
     return hash_of(object.dump());
 }
 
 std::vector<CaseInputs> list_cases(const Sweep& sweep) {
     std::vector<CaseInputs> cases;
-    const auto add = [&](const StrategyChoice& strategy, const OrganChoice& organ, const auto& tool,
-                         const std::string& scene, double speed, std::uint64_t seed) {
+    const auto add = [&](const StrategyChoice& strategy, Release release, const OrganChoice& organ,
+                         const ToolChoice& tool, const SceneChoice& scene, double speed, std::uint64_t seed) {
         CaseInputs& inputs = cases.emplace_back(CaseInputs{.case_id = {},
+                                                           .scene_id = {},
                                                            .strategy = strategy,
                                                            .organ = organ,
                                                            .tool = tool,
@@ -59,16 +67,24 @@ std::vector<CaseInputs> list_cases(const Sweep& sweep) {
                                                            .seed = seed,
                                                            .cycle = sweep.cycle,
                                                            .springs = sweep.springs});
+        inputs.cycle.release = release;
         inputs.case_id = case_id_of(inputs);
+        inputs.scene_id = hash_of(scene_json(inputs).dump());
+    };
+    const auto add_scenes = [&](const StrategyChoice& strategy, Release release, const OrganChoice& organ,
+                                const ToolChoice& tool) {
+        for (const SceneChoice& scene : sweep.scenes) {
+            const std::vector<double> speeds =
+                scene.recording ? std::vector{scene.recording->motion.tip_speed()} : sweep.speeds;
+            for (const double speed : speeds) {
+                for (const auto seed : sweep.seeds) add(strategy, release, organ, tool, scene, speed, seed);
+            }
+        }
     };
     for (const auto& strategy : sweep.strategies) {
-        for (const auto& organ : sweep.organs) {
-            for (const auto& tool : sweep.tools) {
-                for (const auto& scene : sweep.scenes) {
-                    for (const double speed : sweep.speeds) {
-                        for (const auto seed : sweep.seeds) add(strategy, organ, tool, scene, speed, seed);
-                    }
-                }
+        for (const Release release : sweep.releases) {
+            for (const auto& organ : sweep.organs) {
+                for (const auto& tool : sweep.tools) add_scenes(strategy, release, organ, tool);
             }
         }
     }

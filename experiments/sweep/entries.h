@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
 #include "experiments/sweep/config.h"
 #include "experiments/sweep/sweep.h"
@@ -18,12 +17,17 @@ StrategyChoice read_strategy_entry(const ConfigValue& entry);
 OrganChoice read_organ_entry(const ConfigValue& entry, const std::filesystem::path& folder);
 
 /// A tool's name, or a table of `shape` and that shape's parameters.
-std::shared_ptr<const Tool> read_tool_entry(const ConfigValue& entry);
+ToolChoice read_tool_entry(const ConfigValue& entry);
 
-/// @{
-/// The settings of a table, with defaults where it has none.
+/// A scene's name, or a table of `name`, `file` (relative to `folder`) and perhaps `frame` for a recorded
+/// motion. Throws InputError, which names the file, for a recording that cannot be used.
+SceneChoice read_scene_entry(const ConfigValue& entry, const std::filesystem::path& folder);
+
+/// All of [cycle] but the release.
 CycleSettings read_cycle(const ConfigTable& table);
+/// One word, or a list of them; without the key the default one.
+std::vector<Release> read_releases(const ConfigTable& cycle);
+/// All of [deformation].
 SpringSettings read_springs(const ConfigTable& table);
-/// @}
 
 }  // namespace trocar

@@ -12,15 +12,17 @@
 namespace trocar {
 namespace {
 
-const std::array<std::string, 6> filter_keys{"strategy", "organ", "tool", "scene", "speed", "seed"};
+const std::array<std::string, 7> filter_keys{"strategy", "organ", "tool",   "scene",
+                                             "speed",    "seed",  "release"};
 
 /// What a filter of that key is compared with.
 std::vector<std::string> values_of(const CaseInputs& inputs, std::string_view key) {
     if (key == "strategy") return {inputs.strategy.name, inputs.strategy.label};
     if (key == "organ") return {inputs.organ.organ->name};
-    if (key == "tool") return {inputs.tool->name};
-    if (key == "scene") return {inputs.scene};
+    if (key == "tool") return {inputs.tool.tool->name};
+    if (key == "scene") return {inputs.scene.name};
     if (key == "speed") return {fmt::format("{}", inputs.speed)};
+    if (key == "release") return {release_name(inputs.cycle.release)};
     return {fmt::format("{}", inputs.seed)};
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -41,8 +42,22 @@ CycleSettings read_cycle(const ConfigTable& table) {
     CycleSettings settings;
     read_positive(table, {"rate", &settings.rate});
     read_positive(table, {"clearance", &settings.clearance});
-    if (const ConfigValue* release = find(table, "release")) settings.release = read_release(*release);
     return settings;
+}
+
+std::vector<Release> read_releases(const ConfigTable& cycle) {
+    const ConfigValue* value = find(cycle, "release");
+    if (value == nullptr) return {CycleSettings{}.release};
+    if (!std::holds_alternative<ConfigList>(value->content)) return {read_release(*value)};
+    std::vector<Release> releases;
+    for (const ConfigValue& entry : as_list(*value, "release")) {
+        const Release release = read_release(entry);
+        if (std::ranges::find(releases, release) != releases.end()) {
+            throw PlacedError(entry.place, "release lists a word twice");
+        }
+        releases.push_back(release);
+    }
+    return releases;
 }
 
 SpringSettings read_springs(const ConfigTable& table) {

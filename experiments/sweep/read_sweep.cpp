@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "experiments/input_error.h"
-#include "experiments/scenes/scene.h"
 #include "experiments/sweep/config.h"
 #include "experiments/sweep/entries.h"
 #include "experiments/sweep/hash.h"
@@ -36,14 +35,6 @@ auto read_list(const ConfigTable& table, std::string_view key, Read read, NameOf
         all.push_back(std::move(one));
     }
     return all;
-}
-
-std::string read_scene(const ConfigValue& entry) {
-    try {
-        return find_scene(as_text(entry, "a scene")).name;
-    } catch (const std::invalid_argument& unknown) {
-        throw PlacedError(entry.place, unknown.what());
-    }
 }
 
 std::uint64_t read_seed(const ConfigValue& entry) {
@@ -90,24 +81,30 @@ void check_labels(const ConfigTable& table, const std::vector<StrategyChoice>& s
 Sweep read_tables(const ConfigTable& table, std::string text, const std::filesystem::path& folder) {
     static const std::array<std::string, 9> keys{"name",   "strategies", "organs", "tools",      "scenes",
                                                  "speeds", "seeds",      "cycle",  "deformation"};
+    static const ConfigTable no_table;
     check_keys(table, "key", keys);
     Sweep sweep;
     sweep.text = std::move(text);
     sweep.name = as_text(needed(table, "name"), "name");
     const auto organ_of = [&](const ConfigValue& entry) { return read_organ_entry(entry, folder); };
+    const auto scene_of = [&](const ConfigValue& entry) { return read_scene_entry(entry, folder); };
     const auto speed_of = [](const ConfigValue& entry) { return as_positive(entry, "a speed"); };
     for (const ConfigValue& entry : as_list(needed(table, "strategies"), "strategies")) {
         sweep.strategies.push_back(read_strategy_entry(entry));
     }
     check_labels(table, sweep.strategies);
-    sweep.scenes = read_list(table, "scenes", read_scene, std::identity());
+    sweep.scenes = read_list(table, "scenes", scene_of, [](const SceneChoice& one) { return one.name; });
     sweep.speeds = read_list(table, "speeds", speed_of, std::identity());
     sweep.seeds = read_seeds(table);
-    if (const ConfigValue* cycle = find(table, "cycle")) sweep.cycle = read_cycle(as_table(*cycle, "cycle"));
+    const ConfigValue* cycle_value = find(table, "cycle");
+    const ConfigTable& cycle = cycle_value == nullptr ? no_table : as_table(*cycle_value, "cycle");
+    sweep.cycle = read_cycle(cycle);
+    sweep.releases = read_releases(cycle);
     if (const ConfigValue* springs = find(table, "deformation")) {
         sweep.springs = read_springs(as_table(*springs, "deformation"));
     }
-    sweep.tools = read_list(table, "tools", read_tool_entry, [](const auto& tool) { return tool->name; });
+    sweep.tools =
+        read_list(table, "tools", read_tool_entry, [](const ToolChoice& one) { return one.tool->name; });
     sweep.organs =
         read_list(table, "organs", organ_of, [](const OrganChoice& one) { return one.organ->name; });
     return sweep;

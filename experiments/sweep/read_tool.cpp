@@ -2,6 +2,7 @@
 #include <array>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "common/nearest_name.h"
 #include "common/tool/tool_shapes.h"
@@ -52,10 +53,13 @@ Tool read_tool_name(const ConfigValue& entry) {
 
 }  // namespace
 
-std::shared_ptr<const Tool> read_tool_entry(const ConfigValue& entry) {
+ToolChoice read_tool_entry(const ConfigValue& entry) {
     const auto* table = std::get_if<ConfigTable>(&entry.content);
-    return std::make_shared<const Tool>(table == nullptr ? read_tool_name(entry)
-                                                         : read_tool_table(*table, entry.place));
+    Tool tool = table == nullptr ? read_tool_name(entry) : read_tool_table(*table, entry.place);
+    std::string identity = tool.name;
+    return {.identity = std::move(identity),
+            .tool = std::make_shared<const Tool>(std::move(tool)),
+            .findings = {}};
 }
 
 }  // namespace trocar

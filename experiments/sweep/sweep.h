@@ -12,6 +12,7 @@
 #include "common/geometry/organ.h"
 #include "common/geometry/surface_queries.h"
 #include "common/tool/tool.h"
+#include "experiments/scenes/scene.h"
 #include "strategies/options.h"
 
 namespace trocar {
@@ -33,18 +34,37 @@ struct OrganChoice {
     std::vector<Finding> findings;  ///< what was mended in a mesh file, and what is worth knowing
 };
 
+/// A tool as a sweep names it, loaded.
+struct ToolChoice {
+    /// What makes it this tool: its name, which states shape and parameters, or the hash of a file's bytes
+    /// with how it is turned, placed and scaled.
+    std::string identity;
+    std::shared_ptr<const Tool> tool;
+    std::vector<Finding> findings;  ///< as of an organ
+};
+
+/// A scene as a sweep names it, with its recording loaded.
+struct SceneChoice {
+    const SceneEntry* entry;
+    std::string
+        name;  ///< as it is written in results: the scene's, and a recording's file name without its end
+    std::string identity;  ///< what makes it this scene: its name, and the hash of a recording
+    std::shared_ptr<const Recording> recording;  ///< of a scene that needs one
+};
+
 /// A sweep file, read and checked: everything it names exists, is loaded once and shared. The cases are the
-/// full product of the six lists.
+/// full product of the lists.
 struct Sweep {
     std::string name;
     std::string text;  ///< of the file
     std::vector<StrategyChoice> strategies;
     std::vector<OrganChoice> organs;
-    std::vector<std::shared_ptr<const Tool>> tools;  ///< a tool's name states its shape and parameters
-    std::vector<std::string> scenes;
-    std::vector<double> speeds;        ///< mm/s
+    std::vector<ToolChoice> tools;
+    std::vector<SceneChoice> scenes;
+    std::vector<double> speeds;        ///< mm/s; a recording has its own
     std::vector<std::uint64_t> seeds;  ///< `seeds = 3` stands for 1, 2, 3
-    CycleSettings cycle;
+    CycleSettings cycle;               ///< but for the release
+    std::vector<Release> releases;
     SpringSettings springs;
 };
 

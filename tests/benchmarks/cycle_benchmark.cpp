@@ -11,7 +11,7 @@
 #include "common/geometry/organ_shapes.h"
 #include "common/geometry/surface_queries.h"
 #include "common/tool/tool_shapes.h"
-#include "experiments/scenes/scene.h"
+#include "experiments/scenes/prepared_scene.h"
 #include "strategies/registry.h"
 
 namespace trocar {
@@ -39,17 +39,18 @@ struct Sums {
     [[nodiscard]] double time() const { return move + detect + handle + deform; }
 };
 
-void run_scene(const Organ& organ, const Tool& tool, const ScenePlan& plan, Strategy& strategy, Sums& sums) {
-    Cycle cycle(organ, tool, plan.start, CycleSettings{}, SpringSettings{});
+void run_scene(const Organ& organ, const Tool& tool, const PreparedScene& scene, Strategy& strategy,
+               Sums& sums) {
+    Cycle cycle(organ, tool, scene.start, CycleSettings{}, SpringSettings{});
     const Handler handler = [&](const Contact& contact, Response& response) {
         strategy.handle(contact, response);
     };
-    for (std::size_t step = 0; step < plan.poses.size(); ++step) {
-        cycle.move(plan.poses[step]);
+    for (std::size_t step = 0; step < scene.poses.size(); ++step) {
+        cycle.move(scene.poses[step]);
         cycle.detect();
         cycle.handle(handler);
         cycle.deform();
-        if (plan.window[step]) sums.add(cycle);
+        if (scene.window[step]) sums.add(cycle);
     }
 }
 
@@ -58,18 +59,17 @@ void time_cycle(benchmark::State& state, const std::string& strategy_name, const
     const Organ organ = make_organ_by_formula(organ_name);
     const SurfaceQueries queries(organ.rest);
     const Tool tool = make_tool_by_formula("prism-12");
-    const ScenePlan plan = find_scene("penetration")
-                               .plan({.organ = organ,
-                                      .organ_queries = queries,
-                                      .tool = tool,
-                                      .speed = speed,
-                                      .dt = CycleSettings{}.dt(),
-                                      .seed = 1});
+    const PreparedScene scene = prepare_scene(find_scene("penetration"), {.organ = organ,
+                                                                          .organ_queries = queries,
+                                                                          .tool = tool,
+                                                                          .speed = speed,
+                                                                          .dt = CycleSettings{}.dt(),
+                                                                          .seed = 1});
     Sums all;
     for (auto _ : state) {
         const std::unique_ptr<Strategy> strategy = make_strategy(strategy_name);
         const Sums before = all;
-        run_scene(organ, tool, plan, *strategy, all);
+        run_scene(organ, tool, scene, *strategy, all);
         const double step_time = (all.time() - before.time()) / (all.steps - before.steps);
         state.SetIterationTime(step_time / nanoseconds_per_second);
     }

@@ -34,12 +34,14 @@ class CycleOnSheet : public testing::Test {
         cycle.deform();
     }
 
+    [[nodiscard]] CycleStart start_at(double z) const { return start_at_rest(organ_, tip_at(z)); }
+
     const Organ organ_ = make_organ_by_formula("sheet@4mm");
     const Tool tool_ = make_prism(12);
 };
 
 TEST_F(CycleOnSheet, MovesDetectsHandlesAndDeforms) {
-    Cycle cycle(organ_, tool_, tip_at(3), {}, {});
+    Cycle cycle(organ_, tool_, start_at(3), {}, {});
     step(cycle, tip_at(1));
     EXPECT_THAT(cycle.detected().collided, testing::IsEmpty());
     EXPECT_EQ(cycle.positions()[0], organ_.rest.positions[0]);
@@ -55,7 +57,7 @@ TEST_F(CycleOnSheet, MovesDetectsHandlesAndDeforms) {
 }
 
 TEST_F(CycleOnSheet, GivesTheStrategyTheMotionOfTheStep) {
-    Cycle cycle(organ_, tool_, tip_at(3), {.rate = 60}, {});
+    Cycle cycle(organ_, tool_, start_at(3), {.rate = 60}, {});
     step(cycle, tip_at(-2), [](const Contact& contact, Response&) {
         EXPECT_TRUE(contact.motion.displacement_at({0, 0, 0}).isApprox(Vec3(0, 0, -5)));
         EXPECT_DOUBLE_EQ(contact.dt, 1.0 / 60);
@@ -63,8 +65,20 @@ TEST_F(CycleOnSheet, GivesTheStrategyTheMotionOfTheStep) {
     });
 }
 
+TEST_F(CycleOnSheet, WhatTheToolHoldsFromBeforeStaysWithIt) {
+    CycleStart start = start_at(-2);
+    const Index beneath = 500, far = 0;
+    start.organ.positions[beneath] = {0.3, 0.4, -2.01};  // at the tip, by the clearance
+    start.held = {far, beneath};
+    Cycle cycle(organ_, tool_, start, {}, {});
+    step(cycle, tip_at(-2));
+    EXPECT_EQ(cycle.positions()[beneath], Vec3(0.3, 0.4, -2.01));
+    EXPECT_TRUE(std::ranges::binary_search(cycle.held(), beneath));
+    EXPECT_FALSE(std::ranges::binary_search(cycle.held(), far)) << "it is not at the tool";
+}
+
 TEST_F(CycleOnSheet, ContactHoldsAHandledVertexAsLongAsItIsAtTheTool) {
-    Cycle cycle(organ_, tool_, tip_at(3), {.release = Release::contact}, {});
+    Cycle cycle(organ_, tool_, start_at(3), {.release = Release::contact}, {});
     step(cycle, tip_at(-2));
     const std::vector<Index> handled(cycle.held().begin(), cycle.held().end());
     const auto still_held = [&] { return std::ranges::includes(cycle.held(), handled); };
@@ -81,7 +95,7 @@ TEST_F(CycleOnSheet, ContactHoldsAHandledVertexAsLongAsItIsAtTheTool) {
 }
 
 TEST_F(CycleOnSheet, StepLetsAHandledVertexGoInTheNextStep) {
-    Cycle cycle(organ_, tool_, tip_at(3), {.release = Release::step}, {});
+    Cycle cycle(organ_, tool_, start_at(3), {.release = Release::step}, {});
     step(cycle, tip_at(-2));
     const std::vector<Index> handled(cycle.held().begin(), cycle.held().end());
     ASSERT_GT(handled.size(), 0U);
@@ -95,7 +109,7 @@ TEST_F(CycleOnSheet, StepLetsAHandledVertexGoInTheNextStep) {
 }
 
 TEST_F(CycleOnSheet, ForcesAndHalfSpacesReachTheDeformation) {
-    Cycle cycle(organ_, tool_, tip_at(30), {}, {});
+    Cycle cycle(organ_, tool_, start_at(30), {}, {});
     Index inner = 0;
     while (organ_.adjacency.on_boundary(inner)) ++inner;
     const Vec3 rest = organ_.rest.positions[inner];
@@ -114,7 +128,7 @@ TEST_F(CycleOnSheet, ForcesAndHalfSpacesReachTheDeformation) {
 
 TEST_F(CycleOnSheet, RefusesAnswersThatAreNone) {
     const auto answer = [this](const Handler& handler) {
-        Cycle cycle(organ_, tool_, tip_at(3), {}, {});
+        Cycle cycle(organ_, tool_, start_at(3), {}, {});
         step(cycle, tip_at(1), handler);
     };
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -146,9 +160,9 @@ TEST_F(CycleOnSheet, RefusesAnswersThatAreNone) {
 }
 
 TEST_F(CycleOnSheet, RefusesSettingsThatAreNone) {
-    EXPECT_THROW(Cycle(organ_, tool_, tip_at(3), {.rate = 0}, {}), std::invalid_argument);
-    EXPECT_THROW(Cycle(organ_, tool_, tip_at(3), {.clearance = 0}, {}), std::invalid_argument);
-    EXPECT_THROW(Cycle(organ_, tool_, tip_at(3), {}, {.substeps = 0}), std::invalid_argument);
+    EXPECT_THROW(Cycle(organ_, tool_, start_at(3), {.rate = 0}, {}), std::invalid_argument);
+    EXPECT_THROW(Cycle(organ_, tool_, start_at(3), {.clearance = 0}, {}), std::invalid_argument);
+    EXPECT_THROW(Cycle(organ_, tool_, start_at(3), {}, {.substeps = 0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -47,5 +47,50 @@ TEST(ToolMotion, OnTheAxisOfATurnThereIsNoDirection) {
     EXPECT_GT(beside->y(), 0.9);
 }
 
+/// A screw motion: the pose after `angle` of a turn about a line that advances as it turns.
+Pose screwed(double angle) {
+    const Vec3 line_point(3, -1, 2), axis = Vec3(1, 2, 2) / 3;
+    Pose pose = turned(angle, axis, {0, 0, 0});
+    pose.position = line_point + pose.rotation * (Vec3(40, 0, 5) - line_point) + 7 * angle * axis;
+    return pose;
+}
+
+TEST(ToolMotion, UnderRotationItsDirectionIsThatOfFiniteDifferences) {
+    // The velocity of a point of the material, by central differences of its path, against v_m of a short
+    // step around the same moment.
+    constexpr double moment = 0.8, half_step = 1e-4, difference = 1e-6;
+    const ToolMotion motion(screwed(moment - half_step), screwed(moment + half_step));
+    for (const Vec3& material : {Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(-2, 3, 80), Vec3(0, -4, 20)}) {
+        const Vec3 velocity =
+            screwed(moment + difference).to_world(material) - screwed(moment - difference).to_world(material);
+        const auto direction =
+            motion.direction_at(screwed(moment + half_step).to_world(material), negligible);
+        ASSERT_TRUE(direction);
+        EXPECT_TRUE(direction->isApprox(velocity.normalized(), 1e-7));
+    }
+    EXPECT_GT(motion.direction_at(screwed(moment).to_world({4, 0, 0}), negligible)
+                  ->cross(*motion.direction_at(screwed(moment).to_world({0, 0, 80}), negligible))
+                  .norm(),
+              0.1)
+        << "it depends on the point";
+}
+
+TEST(ToolMotion, AnOrganThatMovesCountsAsTheToolMovingTheOtherWay) {
+    const Pose tool = turned(0.4, {1, 2, 3}, {5, 6, 7});
+    const Pose organ_before = turned(0, Vec3::UnitX(), {0, 0, 0}),
+               organ_after = turned(0, Vec3::UnitX(), {0, 3, 0});
+    const ToolMotion motion(tool.seen_from(organ_before), tool.seen_from(organ_after));
+    EXPECT_TRUE(motion.direction_at({1, 1, 1}, negligible)->isApprox(Vec3(0, -1, 0), 1e-12));
+}
+
+TEST(ToolMotion, WhereBothMoveTheTwoAdd) {
+    const Pose tool_before = turned(0, Vec3::UnitX(), {0, 0, 9}),
+               tool_after = turned(0, Vec3::UnitX(), {2, 0, 9});
+    const Pose organ_before = turned(0, Vec3::UnitX(), {0, 0, 0}),
+               organ_after = turned(0, Vec3::UnitX(), {0, 0, 1});
+    const ToolMotion motion(tool_before.seen_from(organ_before), tool_after.seen_from(organ_after));
+    EXPECT_TRUE(motion.displacement_at({1, 1, 1}).isApprox(Vec3(2, 0, -1), 1e-12));
+}
+
 }  // namespace
 }  // namespace trocar

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -66,12 +67,118 @@ TEST(ToolByFormula, SaysWhatWasExpected) {
         }
         return "nothing was thrown";
     };
-    EXPECT_EQ(message_of("prsm-12"), "unknown tool \"prsm-12\"; did you mean \"prism-N\"? Known: prism-N");
+    EXPECT_EQ(message_of("prsm-12"),
+              "unknown tool \"prsm-12\"; did you mean \"prism-N\"? Known: prism-N, pointed-prism-N, needle, "
+              "grasper");
     for (const std::string wrong : {"prism-", "prism-2", "prism-65", "prism-6x", "prism-6.5", "prism--6"}) {
         EXPECT_EQ(
             message_of(wrong),
             "tool \"" + wrong + "\": expected prism-N, N a whole number from 3 to 64, such as prism-12");
     }
+    EXPECT_EQ(message_of("pointed-prism-2"),
+              "tool \"pointed-prism-2\": expected pointed-prism-N, N a whole number from 3 to 64, such as "
+              "pointed-prism-12");
+    EXPECT_THAT(message_of("needle-3"), testing::HasSubstr("unknown tool \"needle-3\""));
+}
+
+// Area of a regular polygon with its corners on a circle.
+double polygon_area(int sides, double radius) {
+    return sides * radius * radius * std::sin(2 * std::numbers::pi / sides) / 2;
+}
+
+TEST(ToolByFormula, EveryShapeIsAClosedSolidWithItsTipAtTheOrigin) {
+    for (const ToolShape& shape : all_tool_shapes()) {
+        SCOPED_TRACE(shape.name);
+        const bool numbered = shape.name.ends_with('N');
+        const std::string formula =
+            numbered ? shape.name.substr(0, shape.name.size() - 1) + "12" : shape.name;
+        const Tool tool = make_tool_by_formula(formula);
+        EXPECT_EQ(tool.name, formula);
+        EXPECT_TRUE(Adjacency(tool.mesh.positions.size(), tool.mesh.facets).closed());
+        EXPECT_GT(signed_volume(tool.mesh), 0);
+        EXPECT_EQ(tool.solid.box().low.z(), 0);
+        EXPECT_EQ(tool.solid.box().high.z(), 80);
+        EXPECT_NEAR(tool.solid.box().centre().head<2>().norm(), 0, 1e-12) << "the axis is the middle";
+    }
+}
+
+class PointedPrism : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Sides, PointedPrism, testing::Values(3, 4, 12, 64));
+
+TEST_P(PointedPrism, IsAPyramidOnAPrism) {
+    const int sides = GetParam();
+    const Tool tool = make_pointed_prism(sides);
+    EXPECT_TRUE(tool.solid.convex());
+    EXPECT_EQ(tool.solid.face_count(), 2 * static_cast<std::size_t>(sides) + 1);
+    EXPECT_NEAR(signed_volume(tool.mesh), polygon_area(sides, 4) * (72 + 8.0 / 3), 1e-9);
+    EXPECT_NEAR(tool.radius, 4, 1e-14);
+    EXPECT_EQ(tool.solid.support(-Vec3::UnitZ()), Vec3(0, 0, 0));
+}
+
+TEST(PointedPrism, HasOtherSizesInItsNameAndRefusesImpossibleOnes) {
+    EXPECT_EQ(make_pointed_prism(6, {.tip_length = 12.5}).name, "pointed-prism-6 r4 l80 t12.5");
+    EXPECT_THROW(make_pointed_prism(2), std::invalid_argument);
+    EXPECT_THROW(make_pointed_prism(6, {.radius = -1}), std::invalid_argument);
+    EXPECT_THROW(make_pointed_prism(6, {.tip_length = 0}), std::invalid_argument);
+    EXPECT_THROW(make_pointed_prism(6, {.length = 8, .tip_length = 8}), std::invalid_argument);
+}
+
+TEST(Needle, HasATipOfItsAngle) {
+    const Tool tool = make_needle();
+    EXPECT_TRUE(tool.solid.convex());
+    EXPECT_NEAR(tool.radius, 0.75, 1e-14);
+    const double tip = 0.75 / std::tan(2.5 * std::numbers::pi / 180);
+    EXPECT_NEAR(signed_volume(tool.mesh), polygon_area(16, 0.75) * (80 - 2 * tip / 3), 1e-9);
+    // Opposite edges of the tip: the corners of the ring after it.
+    const Vec3 one = tool.mesh.positions[1], other = tool.mesh.positions[9];
+    EXPECT_NEAR(std::acos(one.normalized().dot(other.normalized())), 5 * std::numbers::pi / 180, 1e-12);
+}
+
+TEST(Needle, HasOtherSizesInItsNameAndRefusesImpossibleOnes) {
+    EXPECT_EQ(make_needle({.radius = 1}).name, "needle r1 l80 a5");
+    EXPECT_THROW(make_needle({.radius = 0}), std::invalid_argument);
+    EXPECT_THROW(make_needle({.tip_angle = 0.5}), std::invalid_argument);
+    EXPECT_THROW(make_needle({.tip_angle = 121}), std::invalid_argument);
+    EXPECT_THROW(make_needle({.radius = 4}), std::invalid_argument) << "its tip would be 92 mm long";
+}
+
+TEST(Grasper, HasTwoOpenTaperingJawsOnAnOctagonalShaft) {
+    const Tool tool = make_grasper();
+    const Solid& solid = tool.solid;
+    EXPECT_FALSE(solid.convex());
+    EXPECT_EQ(solid.face_count(), 8U + 1 + 2 * (4 + 1 + 1)) << "every side is exactly flat";
+    const double angle = 20 * std::numbers::pi / 180, jaw = 18 * std::cos(angle);
+    // Each jaw is a frustum: from half an octagon to half of one of half the size.
+    EXPECT_NEAR(signed_volume(tool.mesh), polygon_area(8, 2.5) * (80 - jaw + jaw * (1 + 0.25 + 0.5) / 3),
+                1e-3);
+    EXPECT_NEAR(tool.radius, 18 * std::sin(angle) + 1.25, 1e-5);
+
+    const NearestFace inner = solid.nearest_face({0, 3, 8});
+    EXPECT_TRUE(inner.normal.isApprox(Vec3(0, -std::cos(angle), -std::sin(angle)), 1e-6));
+    for (const double side : {1.0, -1.0}) {
+        EXPECT_TRUE(solid.contains({0, side * (18 * std::sin(angle) + 0.6), 0.01})) << "the tip of a jaw";
+        EXPECT_TRUE(solid.contains({0, side * 0.1, jaw - 0.01})) << "beside the crotch";
+    }
+    EXPECT_FALSE(solid.contains({0, 0, jaw - 0.01})) << "between the jaws";
+    EXPECT_TRUE(solid.contains({0, 0, jaw + 0.01})) << "in the shaft";
+}
+
+TEST(Grasper, IsSoundAtTheEndsOfItsRanges) {
+    for (const double opening : {1.0, 60.0}) {
+        for (const double jaw_length : {1.0, 60.0}) {
+            const Tool tool = make_grasper({.jaw_length = jaw_length, .opening = opening});
+            EXPECT_EQ(tool.solid.face_count(), 21U) << tool.name;
+            EXPECT_FALSE(tool.solid.convex()) << tool.name;
+        }
+    }
+}
+
+TEST(Grasper, HasOtherSizesInItsNameAndRefusesImpossibleOnes) {
+    EXPECT_EQ(make_grasper({.opening = 30}).name, "grasper r2.5 l80 j18 o30");
+    EXPECT_THROW(make_grasper({.radius = 0}), std::invalid_argument);
+    EXPECT_THROW(make_grasper({.opening = 0}), std::invalid_argument);
+    EXPECT_THROW(make_grasper({.opening = 61}), std::invalid_argument);
+    EXPECT_THROW(make_grasper({.length = 16}), std::invalid_argument) << "the jaws alone are 16.9 mm";
 }
 
 }  // namespace

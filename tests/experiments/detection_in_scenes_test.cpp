@@ -9,7 +9,7 @@
 #include "common/geometry/organ_shapes.h"
 #include "common/geometry/predicates.h"
 #include "common/tool/tool_shapes.h"
-#include "experiments/scenes/scene.h"
+#include "experiments/scenes/prepared_scene.h"
 #include "strategies/registry.h"
 
 namespace trocar {
@@ -75,20 +75,19 @@ TEST_P(RandomScene, DetectionEqualsBruteForceAtEveryStep) {
     const Tool tool = make_prism(3 + static_cast<int>(seed % 6), 3 + static_cast<double>(seed % 4), 40);
     const double speed = seed % 2 == 0 ? 120 : 400;
     const SurfaceQueries queries(organ.rest);
-    const ScenePlan plan = find_scene("penetration")
-                               .plan({.organ = organ,
-                                      .organ_queries = queries,
-                                      .tool = tool,
-                                      .speed = speed,
-                                      .dt = 1.0 / 30,
-                                      .seed = seed});
+    const PreparedScene scene = prepare_scene(find_scene("penetration"), {.organ = organ,
+                                                                          .organ_queries = queries,
+                                                                          .tool = tool,
+                                                                          .speed = speed,
+                                                                          .dt = 1.0 / 30,
+                                                                          .seed = seed});
     const auto strategy = make_strategy(seed % 4 < 2 ? "fuzzy-per-vertex" : "nearest-face");
     const BruteForce brute_force(organ, tool);
 
     const Release release = seed % 5 == 0 ? Release::step : Release::contact;
-    Cycle cycle(organ, tool, plan.start, {.release = release}, {});
+    Cycle cycle(organ, tool, scene.start, {.release = release}, {});
     std::size_t collided = 0, crossed = 0;
-    for (const Pose& pose : plan.poses) {
+    for (const Pose& pose : scene.poses) {
         cycle.move(pose);
         cycle.detect();
         const Detected expected = brute_force.detect(cycle.positions(), pose);

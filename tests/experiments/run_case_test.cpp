@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "run_alone.h"
 #include "sweep_folder.h"
 
 namespace trocar {
@@ -33,7 +34,7 @@ CaseInputs small_case() {
 
 CaseRecord run_scripted(Handler handler) {
     Scripted strategy(std::move(handler));
-    return run_case(small_case(), strategy, true, {}).value();
+    return run_alone(small_case(), strategy, true).value();
 }
 
 const Value& value(const CaseRecord& record, std::string_view column) {
@@ -52,7 +53,7 @@ std::vector<std::string> columns(const CaseRecord& record) {
 
 TEST(RunCase, FillsColumnsSeriesAndReplay) {
     const CaseInputs inputs = small_case();
-    const CaseRecord record = run_case(inputs, true, {}).value();
+    const CaseRecord record = run_alone(inputs, true);
     EXPECT_EQ(record.case_id, inputs.case_id);
     EXPECT_EQ(text(record, "status"), "complete") << text(record, "reason");
     EXPECT_EQ(text(record, "label"), "nearest-face");
@@ -71,7 +72,7 @@ TEST(RunCase, FillsColumnsSeriesAndReplay) {
 }
 
 TEST(RunCase, FiguresFollowFromTheSeriesOverTheWindow) {
-    const CaseRecord record = run_case(small_case(), false, {}).value();
+    const CaseRecord record = run_alone(small_case(), false);
     EXPECT_FALSE(record.replay);
     const Series& window = record.series.back();
     ASSERT_EQ(window.name, "window");
@@ -86,7 +87,7 @@ TEST(RunCase, FiguresFollowFromTheSeriesOverTheWindow) {
 }
 
 void expect_no_figures(const CaseRecord& record) {
-    EXPECT_EQ(columns(record), columns(run_case(small_case(), false, {}).value()));
+    EXPECT_EQ(columns(record), columns(run_alone(small_case(), false)));
     EXPECT_TRUE(std::isnan(std::get<double>(value(record, "collided_vertices_max"))));
     EXPECT_TRUE(std::isnan(std::get<double>(value(record, "time_cycle_over_1ms"))));
 }
@@ -127,7 +128,7 @@ TEST(RunCase, ASeedWithoutAPlaceFailsWithItsReason) {
     const std::string thick =
         replaced(small_sweep, "\"prism-6\"", "{ shape = \"prism\", sides = 6, radius = 70, length = 200 }");
     const CaseInputs on_sheet = list_cases(folder.read(replaced(thick, "sphere@12mm", "sheet@12mm"))).front();
-    const CaseRecord record = run_case(on_sheet, false, {}).value();
+    const CaseRecord record = run_alone(on_sheet, false);
     EXPECT_EQ(text(record, "status"), "failed") << "no point of the sheet is two radii from its boundary";
     EXPECT_NE(text(record, "reason"), "");
     expect_no_figures(record);
@@ -139,7 +140,7 @@ TEST(RunCase, StopsBetweenStepsWhenAsked) {
     Scripted strategy([&](const Contact&, Response&) {
         if (++calls == 2) stop.request_stop();
     });
-    EXPECT_FALSE(run_case(small_case(), strategy, false, stop.get_token()));
+    EXPECT_FALSE(run_alone(small_case(), strategy, false, stop.get_token()));
     EXPECT_EQ(calls, 2);
 }
 

@@ -11,6 +11,7 @@
 #include "experiments/run/run_case.h"
 #include "experiments/sweep/hash.h"
 #include "results/store.h"
+#include "run_alone.h"
 #include "sweep_folder.h"
 
 namespace trocar {
@@ -119,7 +120,7 @@ TEST_F(RunSweep, ARunStoppedBeforeItsFirstCaseWritesNothing) {
 
 TEST_F(RunSweep, PartsThatAKilledRunLeftAreUsed) {
     const RunRequest four = request();
-    CaseRecord record = run_case(four.cases[2], false, {}).value();
+    CaseRecord record = run_alone(four.cases[2], false);
     record.build_id = four.build_id;
     std::filesystem::create_directory(parts_folder_of(out_));
     write_case(parts_folder_of(out_) / (record.case_id + ".h5"), four.header, record);

@@ -51,13 +51,14 @@ substeps = 7
     EXPECT_EQ(sweep.organs[0].organ->name, "sphere@10mm");
     EXPECT_NEAR(bounding_box(sweep.organs[1].organ->rest.positions).size().maxCoeff(), 100, 1e-9);
     ASSERT_THAT(sweep.tools, SizeIs(2));
-    EXPECT_NEAR(sweep.tools[1]->radius, 3, 1e-12);
-    EXPECT_THAT(sweep.scenes, ElementsAre("penetration"));
+    EXPECT_NEAR(sweep.tools[1].tool->radius, 3, 1e-12);
+    ASSERT_EQ(sweep.scenes.size(), 1U);
+    EXPECT_EQ(sweep.scenes[0].name, "penetration");
     EXPECT_THAT(sweep.speeds, ElementsAre(20, 100.5));
     EXPECT_THAT(sweep.seeds, ElementsAre(3, 1));
     EXPECT_EQ(sweep.cycle.rate, 25);
     EXPECT_EQ(sweep.cycle.clearance, 0.02);
-    EXPECT_EQ(sweep.cycle.release, Release::step);
+    EXPECT_THAT(sweep.releases, ElementsAre(Release::step));
     EXPECT_EQ(sweep.springs.density, 1e-3);
     EXPECT_EQ(sweep.springs.edge_stiffness, 1000);
     EXPECT_EQ(sweep.springs.rest_stiffness, 50);

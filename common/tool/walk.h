@@ -6,7 +6,9 @@
 
 namespace trocar {
 
-/// A tool's way through a scene at constant speed: straight segments and pauses, one pose per step.
+/// A tool's way at constant speed: straight segments, turns about its tip and pauses, one pose per step. The
+/// first step is a part of a full one; each segment ends exactly where it says, with a shorter step, so that
+/// what is reached does not depend on the speed.
 class Walk {
   public:
     /// @param speed mm/s, positive
@@ -14,8 +16,12 @@ class Walk {
     /// @param phase in [0, 1): the length of the very first step, as a part of a full one
     Walk(const Pose& start, double speed, double dt, double phase);
 
-    /// Straight to `position`, without turning; the last step is shorter, so that it ends exactly there.
+    /// Straight to `position`, without turning.
     void go_to(const Vec3& position);
+
+    /// Turns about the line through the tip along the unit vector `axis` (world), counter-clockwise by `angle`
+    /// (rad, positive), as fast as a point at `radius` (mm) from that line moves at the walk's speed.
+    void turn(const Vec3& axis, double angle, double radius);
 
     /// Stays for `seconds`, rounded to whole steps.
     void stay(double seconds);
@@ -24,6 +30,9 @@ class Walk {
     [[nodiscard]] const std::vector<Pose>& poses() const { return poses_; }
 
   private:
+    template <typename PoseAt>
+    void segment(double length, const PoseAt& pose_at);
+
     Pose pose_;
     double full_step_;   // mm
     double first_step_;  // mm

@@ -1,0 +1,54 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "experiments/cli/analysis_program.h"
+#include "experiments/cli/commands.h"
+
+namespace trocar {
+namespace {
+
+constexpr const char* footer =
+    "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
+    "Example:\n"
+    "  trocar show results.h5 --by label,speed --metric depth_max_d_max";
+
+struct ShowOptions {
+    std::string file, by;
+    std::vector<std::string> metrics;
+    bool csv = false, markdown = false;
+
+    [[nodiscard]] std::vector<std::string> arguments() const {
+        std::vector<std::string> words{"show"};
+        if (!by.empty()) words.push_back("--by=" + by);
+        for (const std::string& metric : metrics) words.push_back("--metric=" + metric);
+        if (csv) words.emplace_back("--csv");
+        if (markdown) words.emplace_back("--markdown");
+        words.insert(words.end(), {"--", file});
+        return words;
+    }
+};
+
+}  // namespace
+
+void add_show(CLI::App& app, Program& program) {
+    auto options = std::make_shared<ShowOptions>();
+    CLI::App* command = app.add_subcommand("show", "Show the figures of a result file as a table");
+    command->footer(footer);
+    command->add_option("RESULTS", options->file, "result file that trocar run wrote")->required();
+    command->add_option("--by", options->by,
+                        "columns to group by, separated by commas; without it: what differs, and the label");
+    command
+        ->add_option("--metric", options->metrics,
+                     "a column, or a metric for all its columns; may be given several times")
+        ->allow_extra_args(false);
+    CLI::Option* csv = command->add_flag("--csv", options->csv, "comma-separated, in full precision");
+    command->add_flag("--markdown", options->markdown, "a Markdown table")->excludes(csv);
+    command->callback([options, &program] { program.exit_code = run_analysis(options->arguments()); });
+}
+
+}  // namespace trocar

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "experiments/scenes/scene.h"
+
+namespace trocar::scenes {
+
+/// From 3 mm clear straight along −`out` until the tip is `depth` (mm) beyond the entry point, hold 0.5 s,
+/// back the same way, rest 1 s. The tool's axis is the placement's normal; `out` is a vector along which the
+/// normal's part has length 1, so that clearance and depth are heights over the surface.
+ScenePlan straight_in(const SceneInputs& inputs, const Placement& at, const Vec3& out, double depth);
+
+}  // namespace trocar::scenes
