@@ -2,7 +2,6 @@
 
 #include "common/geometry/vector.h"
 
-/// The paper's fuzzy logic: what fuzzy-per-vertex and joint-vertex share.
 namespace trocar::fuzzy {
 
 /// ε of the paper's Fig. 2a: where neighbouring interaction cases weigh the same (45°).

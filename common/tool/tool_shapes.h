@@ -36,6 +36,7 @@ inline constexpr double default_prism_length = 80;  ///< mm
 /// @param length along the axis, mm
 Tool make_prism(int sides, double radius = default_prism_radius, double length = default_prism_length);
 
+/// Of make_pointed_prism.
 struct PointedPrismSize {
     double radius = 4;      ///< of the circle around the corners, mm
     double length = 80;     ///< with the tip, mm
@@ -46,6 +47,7 @@ struct PointedPrismSize {
 /// @param sides fewest_sides to most_sides
 Tool make_pointed_prism(int sides, const PointedPrismSize& size = {});
 
+/// Of make_needle.
 struct NeedleSize {
     double radius = 0.75;  ///< mm
     double length = 80;    ///< with the tip, mm; more than the tip's
@@ -55,6 +57,7 @@ struct NeedleSize {
 /// A pointed prism of 16 sides as slender as a needle. Named "needle", or like "needle r0.75 l80 a10".
 Tool make_needle(const NeedleSize& size = {});
 
+/// Of make_grasper.
 struct GrasperSize {
     double radius = 2.5;     ///< of the circle around the shaft's corners, mm
     double length = 80;      ///< from the plane of the jaws' tips to the handle, mm

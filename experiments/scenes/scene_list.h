@@ -2,9 +2,11 @@
 
 #include "experiments/scenes/scene.h"
 
-/// One function per scene, each in a file of its own name.
+/// One function per scene.
 namespace trocar::scenes {
 
+/// @{
+/// Each is defined in the file of its name.
 SceneEntry penetration();
 SceneEntry thin();
 SceneEntry extraction();
@@ -15,5 +17,6 @@ SceneEntry pivot();
 SceneEntry twisting();
 SceneEntry breathing();
 SceneEntry recorded();
+/// @}
 
 }  // namespace trocar::scenes

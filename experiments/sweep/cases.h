@@ -37,6 +37,8 @@ struct SuitedCases {
     std::vector<std::string>
         left_out;  ///< one line for each scene on an organ that has no place for it, with why
 };
+
+/// Keeps the cases whose scene has a place on their organ.
 SuitedCases suited(std::vector<CaseInputs> cases);
 
 /// Resolved options as one line of JSON, keys sorted.

@@ -34,6 +34,7 @@ struct OrganChoice {
     std::vector<Finding> findings;  ///< what was mended in a mesh file, and what is worth knowing
 };
 
+/// A tool as a sweep names it, loaded.
 struct ToolChoice {
     /// What makes it this tool: its name, which states shape and parameters, or the hash of a file's bytes
     /// with how it is turned, placed and scaled.
@@ -42,6 +43,7 @@ struct ToolChoice {
     std::vector<Finding> findings;  ///< as of an organ
 };
 
+/// A scene as a sweep names it, with its recording loaded.
 struct SceneChoice {
     const SceneEntry* entry;
     std::string

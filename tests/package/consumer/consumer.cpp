@@ -15,7 +15,8 @@ int main() {
     const auto strategy = make_strategy("fuzzy-per-vertex");
 
     // From 2 mm above the organ's top to 1 mm below it, in one step.
-    Cycle cycle(organ, tool, {.position = {0, 0, 12}}, CycleSettings{}, SpringSettings{});
+    const CycleStart start = start_at_rest(organ, {.position = {0, 0, 12}});
+    Cycle cycle(organ, tool, start, CycleSettings{}, SpringSettings{});
     cycle.move({.position = {0, 0, 9}});
     cycle.detect();
     cycle.handle([&](const Contact& contact, Response& response) { strategy->handle(contact, response); });
