@@ -14,7 +14,9 @@ Organ make_organ(std::string name, SurfaceMesh rest) {
             .rest = std::move(rest),
             .adjacency = std::move(adjacency),
             .rest_normals = std::move(normals),
-            .rest_areas = std::move(areas)};
+            .rest_areas = std::move(areas),
+            .mouth = {},
+            .outline = {}};
 }
 
 }  // namespace trocar
