@@ -1,6 +1,7 @@
 #include "common/geometry/organ_shapes.h"
 
 #include <charconv>
+#include <cmath>
 #include <stdexcept>
 #include <system_error>
 
@@ -24,7 +25,7 @@ double parse_edge(std::string_view formula, const OrganShape& shape) {
             fmt::format("organ \"{}\": expected an edge length in millimetres after the @, such as {}@4mm",
                         formula, shape.name));
     }
-    if (!(edge >= shape.shortest_edge && edge <= shape.longest_edge)) {  // nor what is not a number
+    if (std::isnan(edge) || edge < shape.shortest_edge || edge > shape.longest_edge) {
         throw std::invalid_argument(
             fmt::format("organ \"{}\": edge length {} mm: expected one from {} mm to {} mm for a {}", formula,
                         edge, shape.shortest_edge, shape.longest_edge, shape.name));

@@ -40,7 +40,7 @@ CoarseMesh coarse_mesh() {
 }  // namespace
 
 Organ make_gallbladder(std::string name, double edge, double size) {
-    const ImplicitSurface surface{.value = value};
+    const ImplicitSurface surface{.value = value, .crease = {}};
     return make_organ(std::move(name), mesh_surface(surface, coarse_mesh(), edge, size / 80));
 }
 

@@ -97,10 +97,9 @@ class Remesher {
 
     // Remeshes until the edges are good for `target`, or nothing more is to be hoped for.
     bool reach(double target, double stretch) {
-        double edge = target;
-        while (2 * edge < mean_edge(mesh_)) edge *= 2;
-        for (; edge > target; edge /= 2) {
-            for (int i = 0; i < 2; ++i) remesh(edge);
+        const int halvings = std::max(0, static_cast<int>(std::log2(mean_edge(mesh_) / target)));
+        for (int left = halvings; left > 0; --left) {
+            for (int i = 0; i < 2; ++i) remesh(std::ldexp(target, left));
         }
         // A short edge can be stuck between others that its collapse would make too long: then every other
         // round allows longer ones.
@@ -116,7 +115,7 @@ class Remesher {
     SurfaceMesh take(double scale) {
         mesh_.collect_garbage();
         SurfaceMesh result;
-        for (const Vertex v : mesh_.vertices()) result.positions.push_back(scale * position(mesh_, v));
+        for (const Vertex v : mesh_.vertices()) result.positions.emplace_back(scale * position(mesh_, v));
         for (const auto face : mesh_.faces()) {
             auto corner = mesh_.vertices_around_face(mesh_.halfedge(face)).begin();
             for (Index& vertex : result.facets.emplace_back()) vertex = static_cast<Index>((*corner++).idx());

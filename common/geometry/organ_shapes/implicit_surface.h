@@ -17,7 +17,7 @@ struct ImplicitSurface {
     Field value;
     /// Where this and `value` are zero run the lines that a mesh is to keep however long its edges are:
     /// crests and folds. Left empty when there are none.
-    Field crease = {};
+    Field crease;
 };
 
 /// A first mesh of a surface: of the right topology, its vertices roughly in place.
@@ -28,8 +28,8 @@ struct CoarseMesh {
 
 /// Meshes the surface, made `scale` times as large, with edges of about `edge` mm: isotropic remeshing
 /// (Botsch and Kobbelt 2004, by CGAL) of `coarse` towards ever shorter edges, every vertex put back on the
-/// surface after each round, until every edge is within a factor of 1.8 of the asked length and every angle
-/// above 15°. The same input gives the same bits. Throws std::invalid_argument when that does not come about.
+/// surface after each round, until the mesh is as good as OrganShape::make promises. The same input gives the
+/// same bits. Throws std::invalid_argument when no round gives such a mesh.
 SurfaceMesh mesh_surface(const ImplicitSurface& surface, const CoarseMesh& coarse, double edge, double scale);
 
 /// max(a, b), with the corner where a = b rounded off within |a - b| < radius: never less than the maximum,
