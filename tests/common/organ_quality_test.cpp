@@ -30,7 +30,8 @@ void PrintTo(const Case& tested, std::ostream* out) {
     *out << tested.shape->name << ", edge " << tested.edge << " mm, size " << tested.size << " mm";
 }
 
-// Of every shape: its longest edge, two in between, and a finer one; and another size.
+// Of every shape: its longest edge, two shorter ones, and another size. Then lengths at which the remesher's
+// first good-looking answer has a bad edge or (the gallbladder) meets itself.
 std::vector<Case> cases() {
     std::vector<Case> all;
     for (const OrganShape& shape : all_organ_shapes()) {
@@ -39,6 +40,10 @@ std::vector<Case> cases() {
             all.push_back({&shape, edge, size});
         }
         all.push_back({&shape, 0.75 * longest, 1.5 * size});
+        if (shape.name == "gallbladder") all.push_back({&shape, 4.76, size});
+        if (shape.name == "tube") all.push_back({&shape, 8.74, size});
+        if (shape.name == "liver") all.push_back({&shape, 5.95, size});
+        if (shape.name == "cleft") all.push_back({&shape, 6.13, size});
     }
     return all;
 }
