@@ -15,7 +15,8 @@ Organ make_organ(std::string name, SurfaceMesh rest) {
             .adjacency = std::move(adjacency),
             .rest_normals = std::move(normals),
             .rest_areas = std::move(areas),
-            .mouth = std::nullopt};
+            .mouth = {},
+            .outline = {}};
 }
 
 }  // namespace trocar

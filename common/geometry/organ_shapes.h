@@ -11,12 +11,15 @@ namespace trocar {
 /// An organ made by formula.
 struct OrganShape {
     std::string name;
-    std::string summary;  ///< one line
-    double default_size;  ///< mm
-    /// The mesh with edges of about `edge_mm`, `size_mm` across, centred at the origin. Throws
-    /// std::invalid_argument for an edge that is not positive, longer than the shape, or so short that the
-    /// mesh would have more than 4 million facets.
-    SurfaceMesh (*make)(double edge_mm, double size_mm);
+    std::string summary;   ///< one line
+    double default_size;   ///< mm
+    double shortest_edge;  ///< of a mesh at the default size, mm; below it lie millions of facets
+    double longest_edge;   ///< mm; longer edges would miss the shape
+    /// The organ of that name with edges of about `edge_mm`, `size_mm` across, centred at the origin. No
+    /// angle of its facets is below 10°, no edge longer than twice or shorter than half of `edge_mm`; a
+    /// closed one does not meet itself. The same numbers give the same bits. The edge has to be in the range
+    /// above, which grows with the size.
+    Organ (*make)(std::string name, double edge_mm, double size_mm);
 };
 
 /// Every shape of this build, in the order in which they are listed to users.

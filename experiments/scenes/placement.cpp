@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -35,6 +36,30 @@ EntryPoint point_by_area(const Organ& organ, const std::vector<double>& areas_up
     const double along = std::sqrt(uniform[1]), across = uniform[2];
     const auto& p = organ.rest.positions;
     return {(1 - along) * p[a] + along * (1 - across) * p[b] + along * across * p[c], facet};
+}
+
+/// The point of a sheet over a point drawn uniformly from its outline: the same place for every sheet of that
+/// outline, whatever its relief and mesh.
+EntryPoint point_over_outline(const Organ& organ, const std::array<double, 4>& uniform) {
+    const auto& p = organ.rest.positions;
+    const double x = (2 * uniform[0] - 1) * organ.outline->half_x;
+    const double y = (2 * uniform[1] - 1) * organ.outline->half_y;
+    EntryPoint best{.position = Vec3::Zero(), .facet = 0};
+    double best_inside = -std::numeric_limits<double>::infinity();
+    for (std::size_t facet = 0; facet < organ.rest.facets.size(); ++facet) {
+        const auto [a, b, c] = organ.rest.facets[facet];
+        const auto twice_area = [&](const Vec3& from, const Vec3& to) {
+            return (to.x() - from.x()) * (y - from.y()) - (to.y() - from.y()) * (x - from.x());
+        };
+        const Vec3 parts(twice_area(p[b], p[c]), twice_area(p[c], p[a]), twice_area(p[a], p[b]));
+        // On an edge between two facets rounding may put the point just outside both: the nearest one wins.
+        const double inside = parts.minCoeff() / parts.sum();
+        if (inside <= best_inside) continue;
+        best_inside = inside;
+        const Vec3 share = parts / parts.sum();
+        best = {share[0] * p[a] + share[1] * p[b] + share[2] * p[c], facet};
+    }
+    return best;
 }
 
 /// Mean outer normal, by area, of the facets that are connected to the point by facets whose centre is within
@@ -101,12 +126,14 @@ std::string no_place(const SceneInputs& inputs, const PlacementRule& rule) {
     const std::string where =
         inputs.organ.adjacency.closed() ? "" : fmt::format("at least {:.4g} mm from a boundary and ", reach);
     return rule.thin
-               ? fmt::format("seed {}: none of {} points drawn on organ \"{}\" is {}opposite a wall nearer than "
-                             "{:.4g} mm; use a thinner organ (tube, cleft, or a smaller \"size\")",
-                             inputs.seed, most_draws, inputs.organ.name, where, 2 * rule.depth)
-               : fmt::format("seed {}: none of {} points drawn on organ \"{}\" is {}{:.4g} mm thick; use a larger "
-                             "organ (its \"size\") or a slimmer tool",
-                             inputs.seed, most_draws, inputs.organ.name, where, 2 * rule.depth);
+               ? fmt::format(
+                     "seed {}: none of {} points drawn on organ \"{}\" is {}opposite a wall nearer than "
+                     "{:.4g} mm; use a thinner organ (tube, cleft, or a smaller \"size\")",
+                     inputs.seed, most_draws, inputs.organ.name, where, 2 * rule.depth)
+               : fmt::format(
+                     "seed {}: none of {} points drawn on organ \"{}\" is {}{:.4g} mm thick; use a larger "
+                     "organ (its \"size\") or a slimmer tool",
+                     inputs.seed, most_draws, inputs.organ.name, where, 2 * rule.depth);
 }
 
 }  // namespace
@@ -119,7 +146,9 @@ Placement place(const SceneInputs& inputs, const PlacementRule& rule) {
     std::inclusive_scan(organ.rest_areas.begin(), organ.rest_areas.end(), areas_up_to.begin());
 
     for (std::uint64_t k = 0; k < most_draws; ++k) {
-        const EntryPoint point = point_by_area(organ, areas_up_to, draw(inputs.seed, 2 * k + 1));
+        const auto uniform = draw(inputs.seed, 2 * k + 1);
+        const EntryPoint point =
+            organ.outline ? point_over_outline(organ, uniform) : point_by_area(organ, areas_up_to, uniform);
         const Vec3& entry = point.position;
         if (way_near_boundary(organ, entry, entry, reach)) continue;
         const Vec3 normal = mean_normal(organ, point, reach);

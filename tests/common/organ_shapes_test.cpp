@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -73,6 +74,14 @@ TEST(Sheet, IsAFlatSquareWithStraightBorders) {
     }
 }
 
+TEST(Sheet, HasAnOutline) {
+    const Organ organ = make_organ_by_formula("sheet@20mm");
+    ASSERT_TRUE(organ.outline.has_value());
+    EXPECT_EQ(organ.outline->half_x, 60);
+    EXPECT_EQ(organ.outline->half_y, 60);
+    EXPECT_FALSE(make_organ_by_formula("sphere@20mm").outline.has_value());
+}
+
 TEST(Sheet, IsOfNearlyEquilateralFacets) {
     const Organ organ = make_organ_by_formula("sheet@4mm");
     const std::vector<double> lengths = edge_lengths(organ);
@@ -90,18 +99,29 @@ TEST(OrganByFormula, HasEdgesOfFourMillimetresByDefault) {
 
 TEST(OrganByFormula, SaysWhatWasExpected) {
     using testing::HasSubstr;
-    EXPECT_EQ(message_of("shpere@4mm"),
-              "unknown organ \"shpere\"; did you mean \"sphere\"? Known: sheet, sphere");
+    EXPECT_THAT(message_of("shpere@4mm"), HasSubstr("unknown organ \"shpere\"; did you mean \"sphere\"?"));
+    for (const OrganShape& shape : all_organ_shapes()) {
+        EXPECT_THAT(message_of("shpere@4mm"), HasSubstr(shape.name));
+    }
     for (const std::string wrong :
          {"sphere@", "sphere@4", "sphere@mm", "sphere@4cm", "sphere@4 mm", "sphere@4mm "}) {
         EXPECT_THAT(message_of(wrong), HasSubstr("such as sphere@4mm")) << wrong;
     }
-    for (const std::string wrong : {"sphere@0mm", "sphere@-1mm", "sheet@nanmm", "sheet@infmm"}) {
-        EXPECT_THAT(message_of(wrong), HasSubstr("expected a positive length")) << wrong;
+    for (const std::string edge : {"0", "-1", "nan", "inf", "81", "0.1", "1e-300"}) {
+        EXPECT_THAT(message_of("sphere@" + edge + "mm"), HasSubstr("expected one from 0.12 mm to 80 mm"));
     }
-    EXPECT_THAT(message_of("sphere@81mm"), HasSubstr("only 80 mm across"));
-    EXPECT_THAT(message_of("sheet@0.01mm"), HasSubstr("more than 4 million"));
-    EXPECT_THAT(message_of("sphere@1e-300mm"), HasSubstr("more than 4 million"));
+}
+
+TEST(OrganByFormula, TakesTheEndsOfItsRangeAndNothingBeyond) {
+    for (const OrganShape& shape : all_organ_shapes()) {
+        const auto formula = [&](double edge) { return fmt::format("{}@{}mm", shape.name, edge); };
+        EXPECT_EQ(make_organ_by_formula(formula(shape.longest_edge)).name, formula(shape.longest_edge));
+        for (const double edge : {1.01 * shape.longest_edge, 0.99 * shape.shortest_edge}) {
+            EXPECT_THAT(message_of(formula(edge)),
+                        testing::HasSubstr(fmt::format("from {} mm to {} mm for a {}", shape.shortest_edge,
+                                                       shape.longest_edge, shape.name)));
+        }
+    }
 }
 
 }  // namespace
