@@ -18,7 +18,7 @@ constexpr const char* footer =
     "Either a step of a run that has stored replays (trocar run --replay), or, with --scene, a scene before\n"
     "anything runs: where the tool starts, where it goes, what it starts in.\n"
     "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
-    "Examples:\n"
+    "Example:\n"
     "  trocar snapshot results.h5 --case 3f2a --step deepest -o step.png\n"
     "  trocar snapshot --scene penetration --organ liver@4mm --seed 3 -o scene.png";
 

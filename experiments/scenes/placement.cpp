@@ -12,7 +12,9 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include "experiments/scenes/distances.h"
 #include "experiments/scenes/draws.h"
+#include "experiments/scenes/window.h"
 
 namespace trocar {
 namespace {
@@ -54,7 +56,7 @@ EntryPoint point_over_outline(const Organ& organ, const std::array<double, 4>& u
         const Vec3 parts(twice_area(p[b], p[c]), twice_area(p[c], p[a]), twice_area(p[a], p[b]));
         // On an edge between two facets rounding may put the point just outside both: the nearest one wins.
         const double inside = parts.minCoeff() / parts.sum();
-        if (inside <= best_inside) continue;
+        if (!(inside > best_inside)) continue;
         best_inside = inside;
         const Vec3 share = parts / parts.sum();
         best = {share[0] * p[a] + share[1] * p[b] + share[2] * p[c], facet};
@@ -121,19 +123,23 @@ bool way_near_boundary(const Organ& organ, const Vec3& from, const Vec3& to, dou
     return false;
 }
 
+/// Whether the tool can be there before it comes in: not where it would stand in an opposite wall, as in a
+/// tube.
+bool clear_of_organ(const SceneInputs& inputs, const Placement& at) {
+    return !window_of(inputs, {upright_pose(at, at.entry + scenes::clear * at.normal)}).front();
+}
+
 std::string no_place(const SceneInputs& inputs, const PlacementRule& rule) {
-    const double reach = 2 * inputs.tool.radius;
-    const std::string where =
-        inputs.organ.adjacency.closed() ? "" : fmt::format("at least {:.4g} mm from a boundary and ", reach);
-    return rule.thin
-               ? fmt::format(
-                     "seed {}: none of {} points drawn on organ \"{}\" is {}opposite a wall nearer than "
-                     "{:.4g} mm; use a thinner organ (tube, cleft, or a smaller \"size\")",
-                     inputs.seed, most_draws, inputs.organ.name, where, 2 * rule.depth)
-               : fmt::format(
-                     "seed {}: none of {} points drawn on organ \"{}\" is {}{:.4g} mm thick; use a larger "
-                     "organ (its \"size\") or a slimmer tool",
-                     inputs.seed, most_draws, inputs.organ.name, where, 2 * rule.depth);
+    const std::string inland = inputs.organ.adjacency.closed()
+                                   ? ""
+                                   : fmt::format("{:.4g} mm from the boundary, ", 2 * inputs.tool.radius);
+    const std::string wall = rule.thin ? fmt::format("opposite a wall nearer than {:.4g} mm", 2 * rule.depth)
+                                       : fmt::format("at least {:.4g} mm thick", 2 * rule.depth);
+    const std::string remedy = rule.thin ? "a thinner organ (tube, cleft, or a smaller \"size\")"
+                                         : "a larger organ (its \"size\") or a slimmer tool";
+    return fmt::format(
+        "seed {}: none of {} points drawn on organ \"{}\" is {}{} and free for the tool to come in; use {}",
+        inputs.seed, most_draws, inputs.organ.name, inland, wall, remedy);
 }
 
 }  // namespace
@@ -157,7 +163,8 @@ Placement place(const SceneInputs& inputs, const PlacementRule& rule) {
         const double skip = 1e-6 * reach;  // the surface at the point itself
         const auto through = inputs.organ_queries.distance_to_exit(entry, -normal, skip);
         if ((through && *through < 2 * rule.depth) != rule.thin) continue;
-        return {.entry = entry, .normal = normal, .tangent = tangent, .phase = free[1]};
+        const Placement placement{.entry = entry, .normal = normal, .tangent = tangent, .phase = free[1]};
+        if (clear_of_organ(inputs, placement)) return placement;
     }
     throw PlacementError(no_place(inputs, rule));
 }

@@ -15,8 +15,9 @@ struct PlacementRule {
 /// outline, so that a seed is the same place on every sheet of that outline), at least two tool radii from
 /// the boundary of an open organ, and so is the way aside. The inward ray leaves the organ no nearer than
 /// twice the depth or, where the rule says thin, nearer. The normal is the mean over the facets that are
-/// connected to the entry point within two tool radii: those of an opposite wall do not count. Throws
-/// PlacementError when 10,000 draws find no such point.
+/// connected to the entry point within two tool radii: those of an opposite wall do not count. The tool, 3 mm
+/// clear along it, meets no other part of the organ. Throws PlacementError when 10,000 draws find no such
+/// point.
 Placement place(const SceneInputs& inputs, const PlacementRule& rule);
 
 /// The pose of a tool whose axis points along the placement's normal, tip at `tip`.

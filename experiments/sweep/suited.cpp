@@ -1,7 +1,11 @@
+#include <algorithm>
 #include <map>
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "experiments/scenes/placement.h"
 #include "experiments/sweep/cases.h"
@@ -22,36 +26,45 @@ std::string unsuited_case(const CaseInputs& inputs) {
                                           .recording = inputs.scene.recording.get()});
 }
 
+/// A scene on an organ that has no place for it, with some tools or with all.
+struct LeftOut {
+    std::string what;
+    std::vector<std::string> tools;
+    std::size_t cases;
+    std::string reason;  // with the first of the tools
+};
+
+void add(std::vector<LeftOut>& all, const CaseInputs& inputs, const std::string& reason) {
+    const std::string what = fmt::format("{} on {}", inputs.scene.name, inputs.organ.organ->name);
+    auto found = std::ranges::find(all, what, &LeftOut::what);
+    if (found == all.end()) {
+        found = all.insert(all.end(), {.what = what, .tools = {}, .cases = 0, .reason = reason});
+    }
+    const std::string& tool = inputs.tool.tool->name;
+    if (std::ranges::find(found->tools, tool) == found->tools.end()) found->tools.push_back(tool);
+    ++found->cases;
+}
+
 }  // namespace
 
 SuitedCases suited(std::vector<CaseInputs> cases) {
-    struct Answer {
-        std::string reason;  // empty: suited
-        std::string what;
-        std::size_t cases = 0;
-    };
-    std::map<Combination, Answer> answers;
-    std::vector<Combination> order;
+    std::map<Combination, std::string> reasons;  // empty: suited
+    std::vector<LeftOut> left_out;
     SuitedCases result;
     for (CaseInputs& inputs : cases) {
         const Combination combination{inputs.organ.organ.get(), inputs.tool.tool.get(),
                                       inputs.scene.identity};
-        const auto [entry, fresh] = answers.try_emplace(combination);
-        Answer& answer = entry->second;
-        if (fresh) {
-            order.push_back(combination);
-            answer.reason = unsuited_case(inputs);
-            answer.what = fmt::format("{} on {} with {}", inputs.scene.name, inputs.organ.organ->name,
-                                      inputs.tool.tool->name);
+        const auto [entry, fresh] = reasons.try_emplace(combination);
+        if (fresh) entry->second = unsuited_case(inputs);
+        if (entry->second.empty()) {
+            result.cases.push_back(std::move(inputs));
+        } else {
+            add(left_out, inputs, entry->second);
         }
-        ++answer.cases;
-        if (answer.reason.empty()) result.cases.push_back(std::move(inputs));
     }
-    for (const Combination& combination : order) {
-        const Answer& answer = answers.at(combination);
-        if (answer.reason.empty()) continue;
-        result.left_out.push_back(
-            fmt::format("not run: {} ({} cases): {}", answer.what, answer.cases, answer.reason));
+    for (const LeftOut& one : left_out) {
+        result.left_out.push_back(fmt::format("not run: {} with {} ({} cases): {}", one.what,
+                                              fmt::join(one.tools, ", "), one.cases, one.reason));
     }
     return result;
 }

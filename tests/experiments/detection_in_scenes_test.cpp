@@ -130,7 +130,9 @@ TEST_P(RandomScene, DetectionEqualsBruteForceAtEveryStep) {
             [&](const Contact& contact, Response& response) { strategy->handle(contact, response); });
         cycle.deform();
     }
-    EXPECT_GT(collided, 0U);
+    if (tool.radius >= 5) {
+        EXPECT_GT(collided, 0U) << "a slim tool may pass between the vertices, this one may not";
+    }
     EXPECT_GT(crossed, 0U);
 }
 INSTANTIATE_TEST_SUITE_P(Fifty, RandomScene, testing::Range<std::uint64_t>(1, 51));
