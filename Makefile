@@ -11,13 +11,12 @@ sources = find common strategies experiments results analysis tests -name node_m
     \( -name '*.cpp' -o -name '*.h' \) -print0
 scripts = find cmake analysis tests -name node_modules -prune -o -name '*.py' -print0
 
-sweep = experiments/sweeps/first_light.toml
-readme_table = results/reference/first_light.md
+readme_table = results/reference/paper.md
 readme_metrics = $(addprefix --metric=,depth_max_d_max facets_crossing_d_mean displacement_mean_mean \
     flipped_facets_mean time_handle_p99 time_cycle_p50)
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper figures test sanitize lint docs bench clean
+.PHONY: help packages lint_packages docs_packages configure build paper figures everything test sanitize lint docs bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' Makefile | expand -t 12
@@ -26,18 +25,24 @@ help:  ## list the targets
 build: configure  ## build the program, build/trocar
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
 
-paper: build  ## run the first comparison: its table, its picture and its result file in build/paper/
+paper: build  ## run the paper's comparison: its table, its picture and its result file in build/paper/
 	mkdir -p build/paper
-	build/trocar run $(sweep) -o build/paper/first_light.h5
-	build/trocar show build/paper/first_light.h5
-	build/trocar run $(sweep) --only organ=sphere@2mm --only speed=400 --only seed=1 --replay -o build/paper/picture.h5
-	build/trocar snapshot build/paper/picture.h5 -o build/paper/first_light.png
+	build/trocar run experiments/paper.toml -o build/paper/paper.h5
+	build/trocar show build/paper/paper.h5 --only release=contact --by scene,speed,label
+	build/trocar run experiments/paper.toml $(addprefix --only ,organ=gallbladder@2mm scene=penetration speed=400 seed=1 \
+	    release=contact) --replay -o build/paper/picture.h5
+	build/trocar snapshot build/paper/picture.h5 -o build/paper/paper.png
 
 figures: paper  ## make the table and the picture of README.md anew
-	build/trocar show build/paper/first_light.h5 --markdown --by speed,label $(readme_metrics) \
-	    > $(readme_table)
-	cp build/paper/first_light.png results/reference/first_light.png
+	build/trocar show build/paper/paper.h5 $(addprefix --only ,release=contact scene=penetration) --markdown \
+	    --by speed,label $(readme_metrics) > $(readme_table)
+	cp build/paper/paper.png results/reference/paper.png
 	$(PYTHON) cmake/readme_part.py README.md table $(readme_table)
+
+everything: build  ## run every organ, tool, scene, strategy and release: nothing may fail or fly apart
+	mkdir -p build/everything
+	build/trocar run experiments/everything.toml -o build/everything/everything.h5
+	build/trocar show build/everything/everything.h5 --by scene,organ --metric wall_s
 
 test: build  ## build and run the tests
 	ctest --preset $(PRESET) --parallel $(JOBS) --no-tests=error

@@ -25,6 +25,10 @@ def make_parser() -> argparse.ArgumentParser:
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
+    show.add_argument(
+        "--only", action="append", default=[], metavar="KEY=VALUE",
+        help="these cases only; values of one key are alternatives; may be given several times",
+    )  # fmt: skip
     show.add_argument("--by", metavar="COLUMN,…", help="columns to group by; default: those that differ")
     show.add_argument(
         "--metric", action="append", metavar="NAME",
@@ -65,7 +69,7 @@ def run_show(arguments: argparse.Namespace) -> None:
     by = [name.strip() for name in arguments.by.split(",")] if arguments.by else None
     width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
     style = "csv" if arguments.csv else "markdown" if arguments.markdown else "text"
-    sys.stdout.write(show(arguments.file, by, arguments.metric, style, width))
+    sys.stdout.write(show(arguments.file, arguments.only, by, arguments.metric, style, width))
     sys.stdout.flush()
 
 

@@ -115,8 +115,8 @@ def draw_whole(axes: Axes, scene: Scene) -> None:
 
 def draw_cut(axes: Axes, scene: Scene) -> None:
     """A section along the tool's axis at its deepest: organ at the start, tool at the start and at its deepest."""
-    number = choose_step("deepest", scene.poses)
-    deepest = scene.tool_at(scene.poses[number])
+    poses = np.concatenate([scene.start[None], scene.poses])
+    deepest = scene.tool_at(poses[choose_step("deepest", poses)])
     view = view_of(scene, np.linalg.norm(scene.tool_positions[:, :2], axis=1).max())
     axes.set(xlim=(-view.half_width, view.half_width), ylim=(-view.half_height, view.half_height))
     axes.set_aspect("equal", adjustable="datalim")

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pandas as pd
 
-from .errors import unknown
+from .errors import InputError, unknown
 from .store import CONDITIONS, INPUTS, OUTCOME
 
 DEFAULT_FIGURES = (
@@ -19,6 +19,30 @@ PERCENTILES = {"median": 50, "q1": 25, "q3": 75, "min": 0, "max": 100}
 
 # <metric>[_<moment>]_<figure>: as columns of /cases are named.
 COLUMN = re.compile(r"(?P<series>(?P<metric>.+?)(?:_[hd])?)_(mean|max|final|p50|p95|p99|over_\w+)")
+
+
+def only_cases(cases: pd.DataFrame, filters: list[str]) -> pd.DataFrame:
+    """The cases that match "key=value" filters, as `trocar run --only` has them: filters of one key are
+    alternatives, different keys must all match."""
+    allowed: dict[str, list[str]] = {}
+    for text in filters:
+        key, equals, value = text.partition("=")
+        if not equals:
+            raise InputError(f"--only {text}: expected key=value, such as speed=100")
+        if key not in cases:
+            raise unknown("key", key, [name for name in (*INPUTS, *OUTCOME) if name in cases])
+        allowed.setdefault(key, []).append(value)
+    for key, values in allowed.items():
+        texts = cases[key].map(lambda cell: f"{cell:g}" if isinstance(cell, float) else str(cell))
+        labels = cases["label"] if key == "strategy" else texts
+        known = {*texts, *labels}
+        for value in values:
+            if value not in known:
+                raise unknown(key, value, sorted(known))
+        cases = cases[texts.isin(values) | labels.isin(values)]
+        if cases.empty:
+            raise InputError(f"--only {key}={' or '.join(values)}: no case matches this and the filters before it")
+    return cases
 
 
 def choose_keys(cases: pd.DataFrame, asked: list[str] | None) -> list[str]:

@@ -9,7 +9,7 @@ import pandas as pd
 
 from .errors import InputError
 from .store import CONDITIONS, ResultFile
-from .summary import COLUMN, choose_figures, choose_keys, summarise, tally
+from .summary import COLUMN, choose_figures, choose_keys, only_cases, summarise, tally
 
 ABSENT = "–"
 
@@ -24,13 +24,16 @@ class Column:
     cells: list[tuple[str, str]]
 
 
-def show(path: str, by: list[str] | None, metrics: list[str] | None, style: str, width: int | None) -> str:
-    """The table of a result file. `style` is "text", "markdown" or "csv"; `width` is the terminal's, in
+def show(
+    path: str, only: list[str], by: list[str] | None, metrics: list[str] | None, style: str, width: int | None
+) -> str:
+    """The table of a result file. `only` are filters "key=value" (see only_cases). `style` is "text", "markdown" or "csv"; `width` is the terminal's, in
     characters: quartiles are left out of a text table that would be wider. None: any width fits."""
     with ResultFile(path) as results:
         cases, units = results.cases_table(), results.units()
     if cases.empty:
         raise InputError(f"{path}: has no cases")
+    cases = only_cases(cases, only)
     keys = choose_keys(cases, by)
     figures = choose_figures(cases, metrics)
     if not figures:

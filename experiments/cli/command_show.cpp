@@ -19,11 +19,12 @@ constexpr const char* footer =
 
 struct ShowOptions {
     std::string file, by;
-    std::vector<std::string> metrics;
+    std::vector<std::string> filters, metrics;
     bool csv = false, markdown = false;
 
     [[nodiscard]] std::vector<std::string> arguments() const {
         std::vector<std::string> words{"show"};
+        for (const std::string& filter : filters) words.push_back("--only=" + filter);
         if (!by.empty()) words.push_back("--by=" + by);
         for (const std::string& metric : metrics) words.push_back("--metric=" + metric);
         if (csv) words.emplace_back("--csv");
@@ -40,6 +41,10 @@ void add_show(CLI::App& app, Program& program) {
     CLI::App* command = app.add_subcommand("show", "Show the figures of a result file as a table");
     command->footer(footer);
     command->add_option("RESULTS", options->file, "result file that trocar run wrote")->required();
+    command
+        ->add_option("--only", options->filters,
+                     "key=value: these cases only, as for trocar run; may be given several times")
+        ->allow_extra_args(false);
     command->add_option("--by", options->by,
                         "columns to group by, separated by commas; without it: what differs, and the label");
     command

@@ -12,10 +12,10 @@
 namespace trocar::scenes {
 namespace {
 
-constexpr double depth = 15;              // mm below the mouth
-constexpr double largest_offset = 0.2;    // of the tool's radius, across the mouth
-constexpr double largest_tilt = 5;        // degrees
-constexpr double part_of_the_mouth = 0.5; // its middle, along which entry points are drawn
+constexpr double depth = 15;               // mm below the mouth
+constexpr double largest_offset = 0.2;     // of the tool's radius, across the mouth
+constexpr double largest_tilt = 5;         // degrees
+constexpr double part_of_the_mouth = 0.5;  // its middle, along which entry points are drawn
 
 /// On the mouth of the cleft, the axis along the way out of it but for a tilt.
 Placement at_mouth(const SceneInputs& inputs) {
@@ -34,7 +34,7 @@ Placement at_mouth(const SceneInputs& inputs) {
     const Mat3 tilted = Eigen::AngleAxisd(tilt, tilt_axis).toRotationMatrix();
     return {.entry = mouth.point + along * mouth.along + offset * across,
             .normal = tilted * mouth.normal,
-            .tangent = tilted * mouth.along,
+            .tangent = tilted * across,
             .phase = free[1]};
 }
 
@@ -44,8 +44,9 @@ SceneEntry cutting() {
     return {.name = "cutting",
             .summary = "into the mouth of a cleft narrower than the tool, 15 mm, hold, straight out, rest",
             .place = at_mouth,
-            .plan = [](const SceneInputs& inputs,
-                       const Placement& at) { return straight_in(inputs, at, at.normal, depth); }};
+            .plan = [](const SceneInputs& inputs, const Placement& at) {
+                return straight_in(inputs, at, at.normal, depth);
+            }};
 }
 
 }  // namespace trocar::scenes

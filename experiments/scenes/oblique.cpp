@@ -7,11 +7,12 @@ namespace trocar::scenes {
 
 SceneEntry oblique() {
     // Along (t − n)/√2 a tip that is 12 mm deep has also gone 12 mm sideways.
-    return {.name = "oblique",
-            .summary = "the tool upright, in at 45 degrees to 12 mm, hold, back the same way, rest",
-            .place = [](const SceneInputs& inputs) { return place(inputs, {.depth = deep, .aside = deep}); },
-            .plan = [](const SceneInputs& inputs,
-                       const Placement& at) { return straight_in(inputs, at, at.normal - at.tangent, deep); }};
+    return {
+        .name = "oblique",
+        .summary = "the tool upright, in at 45 degrees to 12 mm, hold, back the same way, rest",
+        .place = [](const SceneInputs& inputs) { return place(inputs, {.depth = deep, .aside = deep}); },
+        .plan = [](const SceneInputs& inputs,
+                   const Placement& at) { return straight_in(inputs, at, at.normal - at.tangent, deep); }};
 }
 
 }  // namespace trocar::scenes

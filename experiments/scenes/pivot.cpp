@@ -1,8 +1,9 @@
+#include "common/tool/pivot.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "common/tool/pivot.h"
 #include "common/tool/walk.h"
 #include "experiments/scenes/distances.h"
 #include "experiments/scenes/draws.h"
@@ -36,7 +37,8 @@ class Wave {
         double value = 0;
         for (std::size_t k = 0; k < parts; ++k) {
             const double phase = phases_.at(k);
-            value += heights_.at(k) * (std::sin(static_cast<double>(k + 1) * angle + phase) - std::sin(phase));
+            value +=
+                heights_.at(k) * (std::sin(static_cast<double>(k + 1) * angle + phase) - std::sin(phase));
         }
         return value / 2;
     }
@@ -99,8 +101,9 @@ ScenePlan plan(const SceneInputs& inputs, const Placement& at) {
 
 SceneEntry pivot() {
     return {.name = "pivot",
-            .summary = "through an incision 100 mm above: 300 steps of smooth yaw, pitch, roll and insertion; "
-                       "the speed is the tip's root mean square",
+            .summary =
+                "through an incision 100 mm above: 300 steps of smooth yaw, pitch, roll and insertion; "
+                "the speed is the tip's root mean square",
             .place = [](const SceneInputs& inputs) { return place(inputs, {.depth = depth}); },
             .plan = plan};
 }

@@ -47,8 +47,8 @@ class Pushed {
             }
             if (cleared && longest <= quiet * clearance_ && clear()) return;
         }
-        throw std::runtime_error(
-            fmt::format("the organ did not come to rest around the inserted tool within {} steps", most_steps));
+        throw std::runtime_error(fmt::format(
+            "the organ did not come to rest around the inserted tool within {} steps", most_steps));
     }
 
     CycleStart take() {

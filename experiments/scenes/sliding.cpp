@@ -1,7 +1,10 @@
+#include <algorithm>
+
 #include "common/tool/walk.h"
 #include "experiments/scenes/distances.h"
 #include "experiments/scenes/placement.h"
 #include "experiments/scenes/scene_list.h"
+#include "experiments/scenes/straight_in.h"
 
 namespace trocar::scenes {
 namespace {
@@ -15,7 +18,7 @@ ScenePlan plan(const SceneInputs& inputs, const Placement& at) {
     Walk walk(start, inputs.speed, inputs.dt, at.phase);
     walk.go_to(end_tip);
     walk.stay(hold_s);
-    walk.go_to(end_tip + (depth + clear) * at.normal);
+    walk.go_to(end_tip + std::max(depth + clear, way_out(inputs, at, end_tip)) * at.normal);
     walk.stay(rest_s);
     return {.start = start,
             .poses = walk.poses(),
@@ -25,10 +28,11 @@ ScenePlan plan(const SceneInputs& inputs, const Placement& at) {
 }  // namespace
 
 SceneEntry sliding() {
-    return {.name = "sliding",
-            .summary = "starts 3 mm deep in the organ at equilibrium, 30 mm sideways, hold, straight out, rest",
-            .place = [](const SceneInputs& inputs) { return place(inputs, {.depth = depth, .aside = way}); },
-            .plan = plan};
+    return {
+        .name = "sliding",
+        .summary = "starts 3 mm deep in the organ at equilibrium, 30 mm sideways, hold, straight out, rest",
+        .place = [](const SceneInputs& inputs) { return place(inputs, {.depth = depth, .aside = way}); },
+        .plan = plan};
 }
 
 }  // namespace trocar::scenes

@@ -3,6 +3,7 @@
 #include "common/tool/walk.h"
 #include "experiments/scenes/distances.h"
 #include "experiments/scenes/placement.h"
+#include "experiments/scenes/window.h"
 
 namespace trocar::scenes {
 
@@ -15,6 +16,15 @@ ScenePlan straight_in(const SceneInputs& inputs, const Placement& at, const Vec3
     walk.go_to(outside);
     walk.stay(rest_s);
     return {.start = start, .poses = walk.poses(), .insertion = {}};
+}
+
+double way_out(const SceneInputs& inputs, const Placement& at, const Vec3& tip) {
+    constexpr int most = 100;
+    for (int k = 1; k < most; ++k) {
+        const double way = k * clear;
+        if (!window_of(inputs, {upright_pose(at, tip + way * at.normal)}).front()) return way;
+    }
+    return most * clear;
 }
 
 }  // namespace trocar::scenes

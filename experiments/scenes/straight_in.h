@@ -9,4 +9,8 @@ namespace trocar::scenes {
 /// normal's part has length 1, so that clearance and depth are heights over the surface.
 ScenePlan straight_in(const SceneInputs& inputs, const Placement& at, const Vec3& out, double depth);
 
+/// How far (mm) a tool whose tip is at `tip` has to go along the normal until it meets the organ at rest no
+/// more: a whole number of 3 mm.
+double way_out(const SceneInputs& inputs, const Placement& at, const Vec3& tip);
+
 }  // namespace trocar::scenes

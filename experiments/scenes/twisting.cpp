@@ -26,8 +26,9 @@ ScenePlan plan(const SceneInputs& inputs, const Placement& at) {
 
 SceneEntry twisting() {
     return {.name = "twisting",
-            .summary = "starts 8 mm deep in the organ at equilibrium, half a turn about the tool's axis at the "
-                       "speed of its rim, hold, straight out, rest",
+            .summary =
+                "starts 8 mm deep in the organ at equilibrium, half a turn about the tool's axis at the "
+                "speed of its rim, hold, straight out, rest",
             .place = [](const SceneInputs& inputs) { return place(inputs, {.depth = depth}); },
             .plan = plan};
 }

@@ -52,6 +52,16 @@ class Show(ProgramTest):
         self.assertIn("–", diverged)
         self.assertNotIn("50", diverged)
 
+    def test_only_keeps_what_matches_every_key(self):
+        self.write(
+            cases_of("a", 100, [1.0]), cases_of("a", 20, [2.0]), cases_of("b", 100, [4.0]), cases_of("c", 100, [8.0])
+        )
+        only = ["--only=speed=100", "--only=label=a", "--only=label=c"]
+        rows = self.tidy("--by", "label", "--metric", "depth_max_d_max", *only)
+        self.assertEqual([(row["label"], float(row["median"])) for row in rows], [("a", 1), ("c", 8)])
+        for wrong, said in (("speed", "key=value"), ("sped=1", "speed"), ("speed=99", "100")):
+            self.assert_refused("show", self.file, f"--only={wrong}", saying=[said])
+
     def test_nan_is_counted_and_not_averaged(self):
         self.write(cases_of("a", 100, [math.nan, 1.0, 3.0, math.nan]), cases_of("b", 100, [math.nan]))
         some, none = self.tidy("--metric", "depth_max_d_max")
