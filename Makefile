@@ -30,8 +30,8 @@ paper: build  ## run the paper's comparison: its table, its picture and its resu
 	build/trocar run experiments/paper.toml -o build/paper/paper.h5
 	build/trocar show build/paper/paper.h5 --only release=contact --by scene,speed,label
 	build/trocar run experiments/paper.toml $(addprefix --only ,organ=gallbladder@2mm scene=penetration speed=400 seed=1 \
-	    release=contact) --replay -o build/paper/picture.h5
-	build/trocar snapshot build/paper/picture.h5 -o build/paper/paper.png
+	    release=contact) --replay -o build/paper/rapid.h5
+	build/trocar snapshot build/paper/rapid.h5 -o build/paper/paper.png
 
 figures: paper  ## make the table and the picture of README.md anew
 	build/trocar show build/paper/paper.h5 $(addprefix --only ,release=contact scene=penetration) --markdown \

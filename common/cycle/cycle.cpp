@@ -44,10 +44,10 @@ void demand_distinct_vertices(const std::vector<Entry>& entries, std::size_t ver
 
 CycleStart start_at_rest(const Organ& organ, const Pose& tool) {
     const std::size_t vertices = organ.rest.positions.size();
-    return {.tool = tool,
-            .organ = {.positions = organ.rest.positions,
-                      .velocities = std::vector<Vec3>(vertices, Vec3::Zero())},
-            .held = {}};
+    return {
+        .tool = tool,
+        .organ = {.positions = organ.rest.positions, .velocities = std::vector<Vec3>(vertices, Vec3::Zero())},
+        .held = {}};
 }
 
 Cycle::Cycle(const Organ& organ, const Tool& tool, CycleStart start, const CycleSettings& cycle,

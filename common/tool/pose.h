@@ -24,7 +24,8 @@ struct Pose {
     }
 };
 
-/// The coordinates, in the tool's frame, at which a point is judged. Every question whose answer must be exact
+/// The coordinates, in the tool's frame, at which a point is judged. Every question whose answer must be
+/// exact
 /// ("is it inside?", "does this facet cross?") is asked of these rounded coordinates, by detection and by the
 /// metrics alike: this function is the definition of both words.
 Vec3 judged_position(const Pose& tool, const Vec3& world);

@@ -29,9 +29,8 @@ struct Line {
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t\r");
-    return first == std::string_view::npos
-               ? std::string_view{}
-               : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    return first == std::string_view::npos ? std::string_view{}
+                                           : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 std::vector<Line> lines_of(std::string_view text) {
@@ -78,8 +77,7 @@ Row read_row(const Line& line) {
     for_each_cell(line, [&](std::size_t k, std::string_view cell, std::size_t column) {
         const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), row[k]);
         if (error == std::errc() && end == cell.data() + cell.size() && std::isfinite(row[k])) return;
-        refuse(line, column,
-               fmt::format("{} must be a finite number, found \"{}\"", columns[k], cell));
+        refuse(line, column, fmt::format("{} must be a finite number, found \"{}\"", columns[k], cell));
     });
     return row;
 }
@@ -87,9 +85,9 @@ Row read_row(const Line& line) {
 Pose pose_of(const Row& row, const Line& line) {
     const Eigen::Quaterniond turn(row[4], row[5], row[6], row[7]);
     if (std::abs(turn.norm() - 1) > quaternion_tolerance) {
-        refuse(line, 0,
-               fmt::format("qw, qx, qy, qz must be a unit quaternion; this one has length {:.6g}",
-                           turn.norm()));
+        refuse(
+            line, 0,
+            fmt::format("qw, qx, qy, qz must be a unit quaternion; this one has length {:.6g}", turn.norm()));
     }
     return {.rotation = turn.normalized().toRotationMatrix(), .position = {row[1], row[2], row[3]}};
 }

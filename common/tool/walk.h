@@ -19,8 +19,8 @@ class Walk {
     /// Straight to `position`, without turning.
     void go_to(const Vec3& position);
 
-    /// Turns about the line through the tip along the unit vector `axis` (world), counter-clockwise by `angle`
-    /// (rad, positive), as fast as a point at `radius` (mm) from that line moves at the walk's speed.
+    /// Turns about the line through the tip along the unit vector `axis` (world), counter-clockwise by
+    /// `angle` (rad, positive), as fast as a point at `radius` (mm) from that line moves at the walk's speed.
     void turn(const Vec3& axis, double angle, double radius);
 
     /// Stays for `seconds`, rounded to whole steps.
