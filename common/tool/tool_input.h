@@ -16,10 +16,11 @@ struct ToolPlacement {
     /// What becomes the tool's origin. None: the height of the lowest vertex along the axis, on the line
     /// through the centroid of the volume.
     std::optional<Vec3> tip = std::nullopt;
-    std::optional<double> size =
-        std::nullopt;  ///< longest side of the box around the mesh, mm; none: as it is
+    /// Longest side of the box around the mesh, mm. None: as it is.
+    std::optional<double> size = std::nullopt;
 };
 
+/// A tool from a mesh file.
 struct ToolInput {
     Tool tool;                      ///< named like an organ from a file, as in "jaw s80"
     std::vector<Finding> findings;  ///< what was mended and what is worth knowing

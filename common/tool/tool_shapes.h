@@ -25,7 +25,7 @@ Tool make_tool_by_formula(std::string_view formula);
 // r5 l80". All throw std::invalid_argument for a parameter out of range.
 
 inline constexpr int fewest_sides = 3;  ///< of a prism
-inline constexpr int most_sides = 64;
+inline constexpr int most_sides = 64;   ///< of a prism
 
 inline constexpr double default_prism_radius = 4;   ///< mm
 inline constexpr double default_prism_length = 80;  ///< mm
