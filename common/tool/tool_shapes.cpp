@@ -1,6 +1,5 @@
 #include "common/tool/tool_shapes.h"
 
-#include <array>
 #include <charconv>
 #include <stdexcept>
 #include <system_error>
@@ -19,19 +18,17 @@ struct Formula {
     Tool (*make)(int sides);
 };
 
-const std::array<Formula, 4>& formulas() {
-    static const std::array<Formula, 4> all{
-        Formula{
-            {"prism-N", "a straight prism of N sides (3 to 64), 4 mm in radius, 80 mm long, with flat ends"},
-            [](int sides) { return make_prism(sides); }},
-        Formula{{"pointed-prism-N", "the same with a pyramid of 8 mm as its tip"},
-                [](int sides) { return make_pointed_prism(sides); }},
-        Formula{{"needle", "0.75 mm in radius, 80 mm long, with a tip of 5 degrees and 16 sides"},
-                [](int) { return make_needle(); }},
-        Formula{{"grasper",
-                 "open jaws, not convex: 18 mm long, 20 degrees from the axis each, on a shaft of 2.5 mm in "
-                 "radius"},
-                [](int) { return make_grasper(); }},
+const std::vector<Formula>& formulas() {
+    static const std::vector<Formula> all{
+        {{"prism-N", "a straight prism of N sides (3 to 64), 4 mm in radius, 80 mm long, with flat ends"},
+         [](int sides) { return make_prism(sides); }},
+        {{"pointed-prism-N", "the same with a pyramid of 8 mm as its tip"},
+         [](int sides) { return make_pointed_prism(sides); }},
+        {{"needle", "0.75 mm in radius, 80 mm long, with a tip of 5 degrees and 16 sides"},
+         [](int) { return make_needle(); }},
+        {{"grasper",
+          "open jaws, not convex: 18 mm long, 20 degrees from the axis each, on a shaft of 2.5 mm in radius"},
+         [](int) { return make_grasper(); }},
     };
     return all;
 }

@@ -1,5 +1,6 @@
 #include "common/tool/tool_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -8,12 +9,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include "common/geometry/adjacency.h"
 #include "common/geometry/predicates.h"
+#include "common/geometry/surface_queries.h"
+#include "tests/random_numbers.h"
 
 namespace trocar {
 namespace {
+
+using testing_support::random_direction;
+using testing_support::random_point;
 
 class Prism : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Sides, Prism, testing::Values(3, 4, 6, 12, 64));
@@ -67,9 +74,8 @@ TEST(ToolByFormula, SaysWhatWasExpected) {
         }
         return "nothing was thrown";
     };
-    EXPECT_EQ(message_of("prsm-12"),
-              "unknown tool \"prsm-12\"; did you mean \"prism-N\"? Known: prism-N, pointed-prism-N, needle, "
-              "grasper");
+    EXPECT_THAT(message_of("prsm-12"),
+                testing::StartsWith("unknown tool \"prsm-12\"; did you mean \"prism-N\"? Known: prism-N, "));
     for (const std::string wrong : {"prism-", "prism-2", "prism-65", "prism-6x", "prism-6.5", "prism--6"}) {
         EXPECT_EQ(
             message_of(wrong),
@@ -86,20 +92,52 @@ double polygon_area(int sides, double radius) {
     return sides * radius * radius * std::sin(2 * std::numbers::pi / sides) / 2;
 }
 
-TEST(ToolByFormula, EveryShapeIsAClosedSolidWithItsTipAtTheOrigin) {
+/// A formula of every shape of the list; of 12 sides where it states a number.
+std::vector<std::string> every_formula() {
+    std::vector<std::string> all;
     for (const ToolShape& shape : all_tool_shapes()) {
-        SCOPED_TRACE(shape.name);
         const bool numbered = shape.name.ends_with('N');
-        const std::string formula =
-            numbered ? shape.name.substr(0, shape.name.size() - 1) + "12" : shape.name;
-        const Tool tool = make_tool_by_formula(formula);
-        EXPECT_EQ(tool.name, formula);
-        EXPECT_TRUE(Adjacency(tool.mesh.positions.size(), tool.mesh.facets).closed());
-        EXPECT_GT(signed_volume(tool.mesh), 0);
-        EXPECT_EQ(tool.solid.box().low.z(), 0);
-        EXPECT_EQ(tool.solid.box().high.z(), 80);
-        EXPECT_NEAR(tool.solid.box().centre().head<2>().norm(), 0, 1e-12) << "the axis is the middle";
+        all.push_back(numbered ? shape.name.substr(0, shape.name.size() - 1) + "12" : shape.name);
     }
+    return all;
+}
+
+class EveryTool : public testing::TestWithParam<std::string> {
+  protected:
+    const Tool tool_ = make_tool_by_formula(GetParam());
+};
+INSTANTIATE_TEST_SUITE_P(ByFormula, EveryTool, testing::ValuesIn(every_formula()), [](const auto& tested) {
+    std::string name = tested.param;
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
+
+TEST_P(EveryTool, IsAClosedSolidWithItsTipAtTheOrigin) {
+    EXPECT_EQ(tool_.name, GetParam());
+    EXPECT_TRUE(Adjacency(tool_.mesh.positions.size(), tool_.mesh.facets).closed());
+    EXPECT_GT(signed_volume(tool_.mesh), 0);
+    EXPECT_EQ(tool_.solid.box().low.z(), 0);
+    EXPECT_EQ(tool_.solid.box().high.z(), 80);
+    EXPECT_NEAR(tool_.solid.box().centre().head<2>().norm(), 0, 1e-12) << "the axis is the middle";
+}
+
+TEST_P(EveryTool, AnswersInsideAndOutside) {
+    const SurfaceQueries surface(tool_.mesh);
+    constexpr double clearance = 0.01;
+    int inside = 0;
+    EXPECT_TRUE(rc::check([&] {
+        for (int k = 0; k < 10; ++k) {
+            const Vec3 point = random_point(tool_.solid.box()), direction = random_direction();
+            RC_ASSERT(tool_.solid.contains(point) == surface.contains(point));
+            RC_ASSERT((tool_.solid.nearest_face(point).signed_distance < 0) == surface.contains(point));
+            if (!surface.contains(point)) continue;
+            ++inside;
+            const Vec3 exit = point + tool_.solid.exit_distance(point, direction, clearance) * direction;
+            RC_ASSERT(!surface.contains(exit));
+            RC_ASSERT(std::abs(surface.distance(exit) - clearance) < 1e-9);
+        }
+    }));
+    EXPECT_GT(inside, 10);
 }
 
 class PointedPrism : public testing::TestWithParam<int> {};

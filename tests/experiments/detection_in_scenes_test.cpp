@@ -130,8 +130,8 @@ TEST_P(RandomScene, DetectionEqualsBruteForceAtEveryStep) {
             [&](const Contact& contact, Response& response) { strategy->handle(contact, response); });
         cycle.deform();
     }
-    if (tool.radius >= 5) {
-        EXPECT_GT(collided, 0U) << "a slim tool may pass between the vertices, this one may not";
+    if (tool.solid.convex() && tool.radius >= 5) {
+        EXPECT_GT(collided, 0U) << "a slim tool or jaw may pass between the vertices, this may not";
     }
     EXPECT_GT(crossed, 0U);
 }

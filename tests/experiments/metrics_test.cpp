@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -175,9 +176,23 @@ TEST_F(JudgedSheet, PassesOnWhatTheStrategyCounted) {
     EXPECT_EQ(value("fallbacks", Moment::handled, step), 7);
 }
 
+TEST_F(JudgedSheet, FarFromTheToolThereIsNothingToImprove) {
+    Judged step(organ_);
+    for (JudgedMoment& moment : step.moments) moment = judge_.look(organ_.rest.positions, tip_at(5));
+    for (const Metric& metric : all_metrics()) {
+        if (metric.better != "low") continue;
+        for (const Moment moment : metric.moments) {
+            const double found = metric.value(step, moment);
+            EXPECT_TRUE(found == 0 || std::isnan(found)) << metric.name << " is " << found;
+        }
+    }
+}
+
 TEST(Metrics, HaveNamesUnitsAndDefinitions) {
+    std::set<std::string> names;
     for (const Metric& metric : all_metrics()) {
         EXPECT_FALSE(metric.name.empty());
+        EXPECT_TRUE(names.insert(metric.name).second) << metric.name << " is there twice";
         EXPECT_FALSE(metric.units.empty()) << metric.name;
         EXPECT_FALSE(metric.definition.empty()) << metric.name;
         EXPECT_FALSE(metric.moments.empty()) << metric.name;
