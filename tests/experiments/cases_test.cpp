@@ -32,6 +32,39 @@ TEST(ListCases, IsTheFullProductInOrder) {
     EXPECT_THAT(cases[0].case_id, SizeIs(32));
 }
 
+TEST(ListCases, ReleasesAreAListToo) {
+    const SweepFolder folder;
+    const auto cases = list_cases(folder.read(small_sweep + "[cycle]\nrelease = [\"step\", \"contact\"]\n"));
+    ASSERT_THAT(cases, SizeIs(8));
+    EXPECT_EQ(cases[0].cycle.release, Release::step);
+    EXPECT_EQ(cases[2].cycle.release, Release::contact);
+    EXPECT_NE(cases[0].case_id, cases[2].case_id);
+    EXPECT_EQ(cases[0].scene_id, cases[2].scene_id) << "the scene is the same";
+    EXPECT_EQ(cases[0].scene_id, cases[4].scene_id) << "under every strategy";
+    EXPECT_NE(cases[0].scene_id, cases[1].scene_id) << "but not for another seed";
+}
+
+TEST(ListCases, ARecordingHasItsOwnSpeed) {
+    const SweepFolder folder;
+    static_cast<void>(folder.write("poses.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,3,1,0,0,0\n2,0,0,-5,1,0,0,0\n"));
+    const std::string recorded =
+        replaced(small_sweep, "\"penetration\"", "{ name = \"recorded\", file = \"poses.csv\" }");
+    const auto cases = list_cases(folder.read(replaced(recorded, "[400]", "[20, 100, 400]")));
+    ASSERT_THAT(cases, SizeIs(4)) << "strategies and seeds";
+    EXPECT_DOUBLE_EQ(cases[0].speed, 4);
+}
+
+TEST(Suited, LeavesOutScenesThatHaveNoPlaceAndSaysWhy) {
+    const SweepFolder folder;
+    const SuitedCases left = suited(
+        list_cases(folder.read(replaced(small_sweep, "\"penetration\"", "\"penetration\", \"cutting\""))));
+    ASSERT_THAT(left.cases, SizeIs(4));
+    for (const CaseInputs& inputs : left.cases) EXPECT_EQ(inputs.scene.name, "penetration");
+    ASSERT_THAT(left.left_out, SizeIs(1));
+    EXPECT_THAT(left.left_out[0], testing::AllOf(HasSubstr("cutting on sphere@12mm with prism-6 (4 cases)"),
+                                                 HasSubstr("cleft")));
+}
+
 TEST(CaseId, ChangesWithEachInput) {
     const SweepFolder folder;
     const CaseInputs base = list_cases(folder.read(small_sweep)).front();

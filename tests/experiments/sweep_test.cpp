@@ -144,6 +144,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ToolFileMissing", "\"prism-6\"", "{ file = \"no.off\", axis = [0, 0, 1] }", "4:19",
                 "no.off"},
         Mistake{"UnknownScene", "\"penetration\"", "\"penetraton\"", "5:11", "did you mean \"penetration\"?"},
+        Mistake{"SceneParameter", "\"penetration\"", "{ name = \"sliding\", file = \"a.csv\" }", "5:11",
+                "no parameters"},
+        Mistake{"SceneKey", "\"penetration\"", "{ name = \"recorded\", fil = \"a.csv\" }", "5:32",
+                "did you mean \"file\"?"},
+        Mistake{"RecordedWithoutFile", "\"penetration\"", "\"recorded\"", "5:11", "file = \"poses.csv\""},
+        Mistake{"RecordingMissing", "\"penetration\"", "{ name = \"recorded\", file = \"no.csv\" }", "5:39",
+                "no.csv"},
         Mistake{"SpeedZero", "[400]", "[100, 0]", "6:16", "above 0"},
         Mistake{"SpeedNegative", "[400]", "[-5]", "6:11", "above 0"},
         Mistake{"SpeedNotFinite", "[400]", "[inf]", "6:11", "finite"},
@@ -158,12 +165,47 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"RateZero", "seeds = 2", "seeds = 2\n[cycle]\nrate = 0", "9:8", "above 0"},
         Mistake{"ReleaseWord", "seeds = 2", "seeds = 2\n[cycle]\nrelease = \"contct\"", "9:11",
                 "did you mean \"contact\"?"},
+        Mistake{"ReleaseTwice", "seeds = 2", "seeds = 2\n[cycle]\nrelease = [\"step\", \"step\"]", "9:20",
+                "twice"},
         Mistake{"DeformationKey", "seeds = 2", "seeds = 2\n[deformation]\nsubstep = 3", "9:1",
                 "did you mean \"substeps\"?"},
         Mistake{"Substeps", "seeds = 2", "seeds = 2\n[deformation]\nsubsteps = 0", "9:12", "1 to 10000"},
         Mistake{"Damping", "seeds = 2", "seeds = 2\n[deformation]\ndamping = -1", "9:11", "negative"},
         Mistake{"Date", "seeds = 2", "seeds = 2009-11-05", "7:9", "dates"}),
     [](const auto& mistake) { return mistake.param.name; });
+
+const std::string two_poses = "t,x,y,z,qw,qx,qy,qz\n0,0,0,3,1,0,0,0\n2,0,0,-5,1,0,0,0\n";
+
+TEST(ReadSweep, ReadsARecordedScene) {
+    const SweepFolder folder;
+    const auto scene_of = [&](const std::string& keys) {
+        return folder.read(replaced(small_sweep, "\"penetration\"", "{ name = \"recorded\", " + keys + " }"))
+            .scenes.at(0);
+    };
+    static_cast<void>(folder.write("a/poses.csv", two_poses));
+    static_cast<void>(folder.write("b/other.csv", two_poses));
+    static_cast<void>(folder.write("a/faster.csv", replaced(two_poses, "\n2,", "\n1,")));
+    const SceneChoice scene = scene_of(R"(file = "a/poses.csv", frame = "entry")");
+    EXPECT_EQ(scene.name, "recorded:poses");
+    ASSERT_TRUE(scene.recording);
+    EXPECT_EQ(scene.recording->frame, Recording::Frame::entry);
+    EXPECT_EQ(scene.recording->motion.times.size(), 2U);
+    EXPECT_EQ(scene_of(R"(file = "b/other.csv", frame = "entry")").identity, scene.identity);
+    EXPECT_NE(scene_of(R"(file = "a/faster.csv", frame = "entry")").identity, scene.identity);
+    EXPECT_NE(scene_of(R"(file = "a/poses.csv")").identity, scene.identity) << "in the organ's frame";
+}
+
+TEST(ReadSweep, AMistakeInARecordingIsAnsweredWithItsFileAndPlace) {
+    const SweepFolder folder;
+    const std::filesystem::path file = folder.write("poses.csv", replaced(two_poses, "0,0,-5", "0,x,-5"));
+    try {
+        static_cast<void>(folder.read(
+            replaced(small_sweep, "\"penetration\"", R"({ name = "recorded", file = "poses.csv" })")));
+        FAIL() << "was accepted";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), testing::StartsWith(file.string() + ":3:5: y must be a finite number"));
+    }
+}
 
 TEST(ReadSweep, ReadsEveryShapeOfTool) {
     const SweepFolder folder;
