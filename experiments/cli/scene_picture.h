@@ -15,7 +15,7 @@ struct SceneRequest {
     double speed = 100;  ///< mm/s
     std::uint64_t seed = 1;
     std::string recording;        ///< CSV file, for the scene that needs one
-    std::string frame = "entry";  ///< of the recording: organ or entry
+    std::string frame = "organ";  ///< of the recording: organ or entry
 };
 
 /// Lays the scene out, brings the organ to the state it starts from, and has the analysis draw it into

@@ -21,8 +21,10 @@ ScenePlan plan(const SceneInputs& inputs, const Placement& at) {
         return organ;
     };
     ScenePlan plan{.start = tool, .poses = {}, .insertion = {}};
-    double time = at.phase * inputs.dt;
-    for (; time < period; time += inputs.dt) plan.poses.push_back(tool.seen_from(organ_at(time)));
+    const auto moving = static_cast<std::size_t>(std::ceil(period / inputs.dt - at.phase));
+    for (std::size_t k = 0; k < moving; ++k) {
+        plan.poses.push_back(tool.seen_from(organ_at((at.phase + static_cast<double>(k)) * inputs.dt)));
+    }
     const auto resting = static_cast<std::size_t>(std::lround(rest_s / inputs.dt));
     plan.poses.insert(plan.poses.end(), 1 + resting, tool);  // the breath ends exactly where it began
     return plan;

@@ -42,10 +42,11 @@ EntryPoint point_by_area(const Organ& organ, const std::vector<double>& areas_up
 
 /// The point of a sheet over a point drawn uniformly from its outline: the same place for every sheet of that
 /// outline, whatever its relief and mesh.
-EntryPoint point_over_outline(const Organ& organ, const std::array<double, 4>& uniform) {
+EntryPoint point_over_outline(const Organ& organ, const Outline& outline,
+                              const std::array<double, 4>& uniform) {
     const auto& p = organ.rest.positions;
-    const double x = (2 * uniform[0] - 1) * organ.outline->half_x;
-    const double y = (2 * uniform[1] - 1) * organ.outline->half_y;
+    const double x = (2 * uniform[0] - 1) * outline.half_x;
+    const double y = (2 * uniform[1] - 1) * outline.half_y;
     EntryPoint best{.position = Vec3::Zero(), .facet = 0};
     double best_inside = -std::numeric_limits<double>::infinity();
     for (std::size_t facet = 0; facet < organ.rest.facets.size(); ++facet) {
@@ -153,8 +154,8 @@ Placement place(const SceneInputs& inputs, const PlacementRule& rule) {
 
     for (std::uint64_t k = 0; k < most_draws; ++k) {
         const auto uniform = draw(inputs.seed, 2 * k + 1);
-        const EntryPoint point =
-            organ.outline ? point_over_outline(organ, uniform) : point_by_area(organ, areas_up_to, uniform);
+        const EntryPoint point = organ.outline ? point_over_outline(organ, *organ.outline, uniform)
+                                               : point_by_area(organ, areas_up_to, uniform);
         const Vec3& entry = point.position;
         if (way_near_boundary(organ, entry, entry, reach)) continue;
         const Vec3 normal = mean_normal(organ, point, reach);
@@ -179,18 +180,16 @@ Pose upright_pose(const Placement& placement, const Vec3& tip) {
 }
 
 std::string unsuited(const SceneEntry& scene, SceneInputs inputs) {
-    try {
-        (void)scene.place(inputs);
-        return {};
-    } catch (const PlacementError&) {
-        ++inputs.seed;
+    std::string reason;
+    for (int attempt = 0; attempt < 2; ++attempt, ++inputs.seed) {
+        try {
+            (void)scene.place(inputs);
+            return {};
+        } catch (const PlacementError& error) {
+            if (reason.empty()) reason = error.what();
+        }
     }
-    try {
-        (void)scene.place(inputs);
-        return {};
-    } catch (const PlacementError& error) {
-        return error.what();
-    }
+    return reason;
 }
 
 }  // namespace trocar

@@ -23,8 +23,8 @@ Placement place(const SceneInputs& inputs, const PlacementRule& rule);
 /// The pose of a tool whose axis points along the placement's normal, tip at `tip`.
 Pose upright_pose(const Placement& placement, const Vec3& tip);
 
-/// Why the scene has no place on this organ with this tool, whatever the seed: the error of the inputs' seed
-/// and of the next one. Empty when one of the two finds a place.
+/// Why the scene has no place on this organ with this tool, whatever the seed: the error of the inputs' seed,
+/// when the next one finds no place either. Empty otherwise.
 std::string unsuited(const SceneEntry& scene, SceneInputs inputs);
 
 }  // namespace trocar

@@ -48,7 +48,7 @@ TEST(ListCases, ARecordingHasItsOwnSpeed) {
     const SweepFolder folder;
     static_cast<void>(folder.write("poses.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,3,1,0,0,0\n2,0,0,-5,1,0,0,0\n"));
     const std::string recorded =
-        replaced(small_sweep, "\"penetration\"", "{ name = \"recorded\", file = \"poses.csv\" }");
+        replaced(small_sweep, "\"penetration\"", R"({ name = "recorded", file = "poses.csv" })");
     const auto cases = list_cases(folder.read(replaced(recorded, "[400]", "[20, 100, 400]")));
     ASSERT_THAT(cases, SizeIs(4)) << "strategies and seeds";
     EXPECT_DOUBLE_EQ(cases[0].speed, 4);
@@ -57,7 +57,7 @@ TEST(ListCases, ARecordingHasItsOwnSpeed) {
 TEST(Suited, LeavesOutScenesThatHaveNoPlaceAndSaysWhy) {
     const SweepFolder folder;
     const SuitedCases left = suited(
-        list_cases(folder.read(replaced(small_sweep, "\"penetration\"", "\"penetration\", \"cutting\""))));
+        list_cases(folder.read(replaced(small_sweep, "\"penetration\"", R"("penetration", "cutting")"))));
     ASSERT_THAT(left.cases, SizeIs(4));
     for (const CaseInputs& inputs : left.cases) EXPECT_EQ(inputs.scene.name, "penetration");
     ASSERT_THAT(left.left_out, SizeIs(1));

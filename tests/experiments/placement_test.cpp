@@ -122,7 +122,7 @@ TEST(Placement, TheNormalIsThatOfOneWall) {
     SurfaceMesh walls = make_organ_by_formula("sheet@6mm").rest;
     const auto vertices = static_cast<Index>(walls.positions.size());
     const std::size_t facets = walls.facets.size();
-    for (Index v = 0; v < vertices; ++v) walls.positions.push_back(walls.positions[v] - Vec3(0, 0, 2));
+    for (Index v = 0; v < vertices; ++v) walls.positions.emplace_back(walls.positions[v] - Vec3(0, 0, 2));
     for (std::size_t f = 0; f < facets; ++f) {
         const auto [a, b, c] = walls.facets[f];
         walls.facets.push_back({vertices + c, vertices + b, vertices + a});
