@@ -209,7 +209,7 @@ std::optional<std::array<Index, 2>> SurfaceQueries::self_intersection() const {
     CGAL::Polygon_mesh_processing::self_intersections(tree_->copy, std::back_inserter(pairs));
     std::optional<std::array<Index, 2>> lowest;
     for (const auto& [one, other] : pairs) {
-        const auto [a, b] = std::minmax(static_cast<Index>(one.idx()), static_cast<Index>(other.idx()));
+        const auto [a, b] = std::minmax({static_cast<Index>(one.idx()), static_cast<Index>(other.idx())});
         if (!lowest || std::array{a, b} < *lowest) lowest = {a, b};
     }
     return lowest;
