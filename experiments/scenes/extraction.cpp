@@ -2,6 +2,7 @@
 #include "experiments/scenes/distances.h"
 #include "experiments/scenes/placement.h"
 #include "experiments/scenes/scene_list.h"
+#include "experiments/scenes/straight_in.h"
 
 namespace trocar::scenes {
 namespace {
@@ -13,9 +14,7 @@ ScenePlan plan(const SceneInputs& inputs, const Placement& at) {
     Walk walk(start, inputs.speed, inputs.dt, at.phase);
     walk.go_to(at.entry + clear * at.normal);
     walk.stay(rest_s);
-    return {.start = start,
-            .poses = walk.poses(),
-            .insertion = Insertion{.direction = -at.normal, .length = depth + clear}};
+    return {.start = start, .poses = walk.poses(), .insertion = inserted(at, depth)};
 }
 
 }  // namespace

@@ -20,9 +20,7 @@ ScenePlan plan(const SceneInputs& inputs, const Placement& at) {
     walk.stay(hold_s);
     walk.go_to(end_tip + std::max(depth + clear, way_out(inputs, at, end_tip)) * at.normal);
     walk.stay(rest_s);
-    return {.start = start,
-            .poses = walk.poses(),
-            .insertion = Insertion{.direction = -at.normal, .length = depth + clear}};
+    return {.start = start, .poses = walk.poses(), .insertion = inserted(at, depth)};
 }
 
 }  // namespace

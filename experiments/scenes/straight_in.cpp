@@ -18,6 +18,10 @@ ScenePlan straight_in(const SceneInputs& inputs, const Placement& at, const Vec3
     return {.start = start, .poses = walk.poses(), .insertion = {}};
 }
 
+Insertion inserted(const Placement& at, double depth) {
+    return {.direction = -at.normal, .length = depth + clear};
+}
+
 double way_out(const SceneInputs& inputs, const Placement& at, const Vec3& tip) {
     constexpr int most = 100;
     for (int k = 1; k < most; ++k) {
