@@ -9,8 +9,8 @@ Metric collided_vertices() {
             .definition = "organ vertices strictly inside the tool before handling",
             .better = "neither",
             .moments = {Moment::before},
-            .value = [](const Judged& step, Moment moment) {
-                return static_cast<double>(step.at(moment).inside.size());
+            .value = [](const Judged& step, Moment moment) -> Measured {
+                return static_cast<double>(step.at(moment).inside().size());
             }};
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "experiments/metrics/judged.h"
@@ -14,24 +13,24 @@ Metric depth_max() {
         .definition = "largest distance of a vertex inside the tool to its surface; 0 when none is inside",
         .better = "low",
         .moments = {Moment::handled, Moment::deformed},
-        .value = [](const Judged& step, Moment moment) {
-            const auto& depths = step.at(moment).depths;
+        .value = [](const Judged& step, Moment moment) -> Measured {
+            const auto& depths = step.at(moment).depths();
             return depths.empty() ? 0.0 : std::ranges::max(depths);
         }};
 }
 
 Metric depth_mean() {
-    return {
-        .name = "depth_mean",
-        .units = "mm",
-        .definition = "mean distance of the vertices inside the tool to its surface; none inside: no value",
-        .better = "low",
-        .moments = {Moment::handled, Moment::deformed},
-        .value = [](const Judged& step, Moment moment) {
-            const auto& depths = step.at(moment).depths;
-            if (depths.empty()) return std::numeric_limits<double>::quiet_NaN();
-            return std::accumulate(depths.begin(), depths.end(), 0.0) / static_cast<double>(depths.size());
-        }};
+    return {.name = "depth_mean",
+            .units = "mm",
+            .definition = "mean distance of the vertices inside the tool to its surface",
+            .better = "low",
+            .moments = {Moment::handled, Moment::deformed},
+            .value = [](const Judged& step, Moment moment) -> Measured {
+                const auto& depths = step.at(moment).depths();
+                if (depths.empty()) return Missing::no_vertex_inside;
+                return std::accumulate(depths.begin(), depths.end(), 0.0) /
+                       static_cast<double>(depths.size());
+            }};
 }
 
 }  // namespace trocar::metrics

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "experiments/metrics/judged.h"
@@ -9,12 +8,9 @@ namespace trocar::metrics {
 namespace {
 
 /// How far handling moved each vertex that was inside the tool before it, mm.
-std::vector<double> displacements(const Judged& step) {
-    const JudgedMoment &before = step.at(Moment::before), &after = step.at(Moment::handled);
+std::vector<double> lengths(const Judged& step) {
     std::vector<double> lengths;
-    for (const Index vertex : before.inside) {
-        lengths.push_back((after.positions[vertex] - before.positions[vertex]).norm());
-    }
+    for (const Index vertex : step.collided()) lengths.push_back(step.displacement(vertex).norm());
     return lengths;
 }
 
@@ -23,26 +19,25 @@ std::vector<double> displacements(const Judged& step) {
 Metric displacement_mean() {
     return {.name = "displacement_mean",
             .units = "mm",
-            .definition = "mean distance that handling moves the collided vertices; none collided: no value",
+            .definition = "mean distance that handling moves the collided vertices",
             .better = "low",
             .moments = {Moment::handled},
-            .value = [](const Judged& step, Moment) {
-                const auto lengths = displacements(step);
-                if (lengths.empty()) return std::numeric_limits<double>::quiet_NaN();
-                return std::accumulate(lengths.begin(), lengths.end(), 0.0) /
-                       static_cast<double>(lengths.size());
+            .value = [](const Judged& step, Moment) -> Measured {
+                const std::vector<double> all = lengths(step);
+                if (all.empty()) return Missing::no_vertex_collided;
+                return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
             }};
 }
 
 Metric displacement_max() {
     return {.name = "displacement_max",
             .units = "mm",
-            .definition = "largest distance that handling moves a collided vertex; none collided: no value",
+            .definition = "largest distance that handling moves a collided vertex",
             .better = "low",
             .moments = {Moment::handled},
-            .value = [](const Judged& step, Moment) {
-                const auto lengths = displacements(step);
-                return lengths.empty() ? std::numeric_limits<double>::quiet_NaN() : std::ranges::max(lengths);
+            .value = [](const Judged& step, Moment) -> Measured {
+                const std::vector<double> all = lengths(step);
+                return all.empty() ? Measured(Missing::no_vertex_collided) : std::ranges::max(all);
             }};
 }
 

@@ -9,8 +9,8 @@ Metric facets_crossing() {
             .definition = "organ facets that cross the tool's surface, by exact orientation signs",
             .better = "low",
             .moments = {Moment::handled, Moment::deformed},
-            .value = [](const Judged& step, Moment moment) {
-                return static_cast<double>(step.at(moment).facets_crossing);
+            .value = [](const Judged& step, Moment moment) -> Measured {
+                return static_cast<double>(step.at(moment).crossing_facets().size());
             }};
 }
 

@@ -4,12 +4,13 @@
 namespace trocar::metrics {
 
 Metric fallbacks() {
-    return {.name = "fallbacks",
-            .units = "1",
-            .definition = "directions that the strategy could not form, as it counts them itself",
-            .better = "low",
-            .moments = {Moment::handled},
-            .value = [](const Judged& step, Moment) { return static_cast<double>(step.fallbacks); }};
+    return {
+        .name = "fallbacks",
+        .units = "1",
+        .definition = "directions that the strategy could not form, as it counts them itself",
+        .better = "low",
+        .moments = {Moment::handled},
+        .value = [](const Judged& step, Moment) -> Measured { return static_cast<double>(step.fallbacks); }};
 }
 
 }  // namespace trocar::metrics

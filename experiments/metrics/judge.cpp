@@ -1,36 +1,85 @@
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace trocar {
+namespace {
 
-struct Judge::Case {
-    Case(const Organ& organ, const Tool& tool) : judge(organ, tool), step(organ) {}
-
-    void look(Moment moment, const Cycle& cycle) {
-        step.moments[static_cast<std::size_t>(moment)] = judge.look(cycle.positions(), cycle.tool().pose());
+std::vector<Reading> readings_at(std::span<const Metric* const> metrics, bool (*wanted)(Moment)) {
+    std::vector<Reading> readings;
+    for (const Metric* metric : metrics) {
+        for (const Moment moment : metric->moments) {
+            if (wanted(moment)) readings.push_back({metric, moment});
+        }
     }
-
-    ToolJudge judge;
-    Judged step;
-};
-
-Judge::Judge(const Organ& organ, const Tool& tool) : case_(std::make_unique<Case>(organ, tool)) {}
-Judge::~Judge() = default;
-
-void Judge::before(const Cycle& cycle) { case_->look(Moment::before, cycle); }
-
-void Judge::handled(const Cycle& cycle) {
-    case_->look(Moment::handled, cycle);
-    case_->step.fallbacks = cycle.response().fallbacks;
+    return readings;
 }
 
-void Judge::deformed(const Cycle& cycle) { case_->look(Moment::deformed, cycle); }
+}  // namespace
 
-std::vector<double> Judge::values() const {
-    std::vector<double> values;
-    for (const Metric& metric : all_metrics()) {
-        for (const Moment moment : metric.moments) values.push_back(metric.value(case_->step, moment));
-    }
+int sampled_every(double rate) {
+    constexpr double rounding = 1e-9;
+    return std::max(1, static_cast<int>(std::ceil(rate / highest_judged_rate - rounding)));
+}
+
+std::vector<Reading> readings_of(std::span<const Metric* const> metrics) {
+    return readings_at(metrics, [](Moment moment) { return moment != Moment::end; });
+}
+
+std::vector<Reading> handled_readings(std::span<const Metric* const> metrics) {
+    return readings_at(metrics,
+                       [](Moment moment) { return moment == Moment::before || moment == Moment::handled; });
+}
+
+std::vector<Measured> values_of(std::span<const Reading> readings, const Judged& step) {
+    std::vector<Measured> values;
+    values.reserve(readings.size());
+    for (const auto& [metric, moment] : readings) values.push_back(metric->value(step, moment));
     return values;
+}
+
+Judge::Judge(const JudgedState& start, JudgeSettings settings)
+    : settings_(std::move(settings)), step_(start.organ(), start.tool(), settings_.region) {
+    step_.before = step_.handled = step_.deformed = start;
+    if (std::ranges::any_of(settings_.metrics, &Metric::of_paths)) step_.paths.emplace(start);
+}
+
+JudgedState Judge::look(std::span<const Vec3> positions) const {
+    return {step_.organ(), step_.tool(), positions, step_.before->pose()};
+}
+
+void Judge::before(std::span<const Vec3> positions, const Pose& tool) {
+    if (steps_ > 0) step_.step_before = step_.before->positions();
+    step_.tool_at_beginning = step_.before->pose();
+    if (step_.paths) {
+        step_.paths->handle(*step_.handled);
+        step_.paths->deform(*step_.deformed);
+    }
+    step_.before.emplace(step_.organ(), step_.tool(), positions, tool);
+    if (step_.paths) step_.paths->move(*step_.before);
+    step_.handled.reset();
+    step_.deformed.reset();
+    ++steps_;
+}
+
+void Judge::handled(std::span<const Vec3> positions, std::int64_t fallbacks) {
+    step_.handled = look(positions);
+    step_.fallbacks = fallbacks;
+}
+
+void Judge::deformed(std::span<const Vec3> positions) { step_.deformed = look(positions); }
+
+std::vector<Measured> Judge::values() const {
+    const std::vector<Reading> readings = readings_of(settings_.metrics);
+    if (steps_ % settings_.every == 0) return values_of(readings, step_);
+    return std::vector<Measured>(readings.size(), Missing::not_sampled);
+}
+
+std::vector<Measured> Judge::values_at_end() const {
+    return values_of(readings_at(settings_.metrics, [](Moment moment) { return moment == Moment::end; }),
+                     step_);
 }
 
 }  // namespace trocar

@@ -1,56 +1,51 @@
 #pragma once
 
-#include <array>
-#include <span>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
 #include <vector>
 
-#include "common/geometry/organ.h"
-#include "common/geometry/surface_queries.h"
-#include "common/tool/tool.h"
+#include "experiments/metrics/judged_state.h"
 #include "experiments/metrics/metric.h"
+#include "experiments/metrics/paths.h"
+#include "experiments/metrics/region.h"
 
 namespace trocar {
-
-/// The organ at one moment of a step, as the judge sees it.
-struct JudgedMoment {
-    std::vector<Vec3> positions;  ///< of every vertex, mm
-    std::vector<Index> inside;    ///< vertices strictly inside the tool, ascending
-    std::vector<double> depths;   ///< distance of each of them to the tool's surface, mm
-    Index facets_crossing = 0;    ///< facets that cross the tool's surface
-};
-
-/// Looks at organs and one tool with CGAL's trees and exact predicates, at the coordinates of
-/// judged_position.
-class ToolJudge {
-  public:
-    ToolJudge(const Organ& organ, const Tool& tool);
-
-    [[nodiscard]] JudgedMoment look(std::span<const Vec3> positions, const Pose& pose) const;
-
-  private:
-    [[nodiscard]] bool crosses(const Corners& organ_facet) const;
-
-    const Organ& organ_;
-    const SurfaceMesh& tool_mesh_;
-    SurfaceQueries tool_;
-    Box tool_box_;
-    std::vector<Corners> tool_facets_;
-    std::vector<Box> tool_facet_boxes_;
-    std::vector<std::array<bool, 3>> flat_edges_;
-};
 
 /// What the metrics of one step are taken from.
 class Judged {
   public:
-    explicit Judged(const Organ& the_organ) : organ(the_organ) {}
+    Judged(const JudgedOrgan& organ, const JudgedTool& tool, const Region& the_region)
+        : region(the_region), organ_(organ), tool_(tool) {}
 
-    [[nodiscard]] const JudgedMoment& at(Moment moment) const {
-        return moments[static_cast<std::size_t>(moment)];
+    [[nodiscard]] const JudgedOrgan& organ() const { return organ_; }
+    [[nodiscard]] const JudgedTool& tool() const { return tool_; }
+
+    /// Organ and tool at a moment. Throws std::logic_error where it has not come yet.
+    [[nodiscard]] const JudgedState& at(Moment moment) const {
+        const auto& state = moment == Moment::before    ? before
+                            : moment == Moment::handled ? handled
+                                                        : deformed;
+        if (!state) throw std::logic_error("this moment of the step is not there to be judged");
+        return *state;
+    }
+    /// The vertices strictly inside the tool before handling, ascending.
+    [[nodiscard]] const std::vector<Index>& collided() const { return at(Moment::before).inside(); }
+    /// How handling moved a vertex, mm.
+    [[nodiscard]] Vec3 displacement(Index vertex) const {
+        return at(Moment::handled).positions()[vertex] - at(Moment::before).positions()[vertex];
     }
 
-    const Organ& organ;
-    std::array<JudgedMoment, 3> moments;  ///< by Moment
-    std::int64_t fallbacks = 0;           ///< as the strategy counted them
+    const Region& region;    ///< of the scene
+    Pose tool_at_beginning;  ///< of the step; at all its moments the tool is where it went
+    std::optional<JudgedState> before, handled, deformed;
+    std::vector<Vec3> step_before;  ///< every vertex as the step before found it, mm; empty in the first step
+    std::optional<Paths> paths;     ///< as far as `before`; where a chosen metric asks for them
+    std::int64_t fallbacks = 0;     ///< as the strategy counted them
+
+  private:
+    const JudgedOrgan& organ_;
+    const JudgedTool& tool_;
 };
 
 }  // namespace trocar

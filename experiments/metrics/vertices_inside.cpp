@@ -9,8 +9,8 @@ Metric vertices_inside() {
             .definition = "organ vertices strictly inside the tool",
             .better = "low",
             .moments = {Moment::handled, Moment::deformed},
-            .value = [](const Judged& step, Moment moment) {
-                return static_cast<double>(step.at(moment).inside.size());
+            .value = [](const Judged& step, Moment moment) -> Measured {
+                return static_cast<double>(step.at(moment).inside().size());
             }};
 }
 

@@ -1,0 +1,16 @@
+#include "experiments/metrics/judged_organ.h"
+
+namespace trocar {
+
+JudgedOrgan::JudgedOrgan(const Organ& organ)
+    : organ_(organ), vertex_normals_(organ.rest.positions.size(), Vec3::Zero()) {
+    const std::vector<Vec3>& positions = organ.rest.positions;
+    for (const auto& [a, b] : edges()) rest_lengths_.push_back((positions[b] - positions[a]).norm());
+    for (const Facet& facet : facets()) {
+        const Vec3 area_vector = facet_area_vector(positions, facet);
+        for (const Index vertex : facet) vertex_normals_[vertex] += area_vector;
+    }
+    for (Vec3& normal : vertex_normals_) normal.stableNormalize();
+}
+
+}  // namespace trocar

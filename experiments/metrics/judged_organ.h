@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "common/geometry/organ.h"
+
+namespace trocar {
+
+/// What the metrics know of an organ at rest; prepared once, safe to share between threads.
+class JudgedOrgan {
+  public:
+    /// The organ must outlive it.
+    explicit JudgedOrgan(const Organ& organ);
+
+    [[nodiscard]] const Organ& organ() const { return organ_; }
+    [[nodiscard]] const SurfaceMesh& rest() const { return organ_.rest; }
+    [[nodiscard]] const std::vector<Facet>& facets() const { return organ_.rest.facets; }
+
+    /// Every edge once, and the length of each at rest, mm.
+    [[nodiscard]] std::span<const Edge> edges() const { return organ_.adjacency.edges(); }
+    [[nodiscard]] const std::vector<double>& rest_lengths() const { return rest_lengths_; }
+
+    /// Of each vertex at rest, outer, of unit length: the mean of its facets' normals by their areas.
+    [[nodiscard]] const std::vector<Vec3>& vertex_normals() const { return vertex_normals_; }
+
+  private:
+    const Organ& organ_;
+    std::vector<double> rest_lengths_;
+    std::vector<Vec3> vertex_normals_;
+};
+
+}  // namespace trocar
