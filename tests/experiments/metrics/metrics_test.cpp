@@ -170,7 +170,7 @@ TEST(Metrics, AreChosenByNameOrByCost) {
     ASSERT_EQ(two.size(), 2U);
     EXPECT_EQ(two.front()->name, "collided_vertices") << "in the order of the list";
     try {
-        choose_metrics("depth_max,depth_maen");
+        choose_metrics("depth_max,depth_meam");
         FAIL();
     } catch (const std::invalid_argument& error) {
         EXPECT_THAT(error.what(), HasSubstr("did you mean \"depth_mean\""));
