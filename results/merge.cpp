@@ -53,7 +53,7 @@ void collect_states(const CampaignFile& campaign, const Part& part, const std::v
         collected.states_of_case[runs[row]].push_back(collected.states.rows() + rows.size());
         rows.push_back(row);
     }
-    if (!rows.empty()) collected.states.append(states, rows, part.file.string());
+    collected.states.append(states, rows, part.file.string());
 }
 
 void collect_part(const Part& part, const CampaignHeader& header, Collected& collected) {

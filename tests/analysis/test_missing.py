@@ -11,6 +11,7 @@ from trocar_analysis.errors import InputError
 from trocar_analysis.store import ResultFile
 
 NO_VERTEX = '{"drag":{"no vertex collided":12},"strain":{"empty region":1}}'
+AGAIN = '{"drag":{"no vertex collided":1}}'
 TWO_REASONS = '{"drag":{"no vertex collided":2,"motion along the normal":7}}'
 
 
@@ -41,7 +42,7 @@ class Missing(ProgramTest):
         write_results(
             self.file,
             [
-                case(1, math.nan, NO_VERTEX), case(2, math.nan, TWO_REASONS), case(3, math.nan, NO_VERTEX),
+                case(1, math.nan, NO_VERTEX), case(2, math.nan, TWO_REASONS), case(3, math.nan, AGAIN),
                 case(4, math.nan, NO_VERTEX, label="b"), case(5, math.nan, "", label="b"), case(6, 3.0, label="b"),
             ],
         )  # fmt: skip
