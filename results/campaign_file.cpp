@@ -1,5 +1,7 @@
 #include "results/campaign_file.h"
 
+#include <numeric>
+
 #include <fmt/format.h>
 
 namespace trocar {
@@ -43,6 +45,21 @@ CampaignHeader read_header(hid_t file) {
             .sweep_hash = hdf5::read_text_attribute(file, "sweep_hash")};
 }
 
+/// case_id repeats in /states, so the rows' own numbers are what the columns are measured along.
+Column state_column(std::size_t rows) {
+    WholeNumbers numbers(rows);
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return {.label = {"state", "1", "number of the row"}, .values = std::move(numbers)};
+}
+
+void write_states(const hdf5::File& file, Table states) {
+    if (states.rows == 0) return;
+    states.columns.insert(states.columns.begin(), state_column(states.rows));
+    const hdf5::Group group = hdf5::open_group(file.id(), states_group);
+    write_table(group.id(), states);
+    attach_to_dimension(group.id(), "state");
+}
+
 }  // namespace
 
 CampaignFile open_campaign(const std::filesystem::path& path) {
@@ -76,15 +93,17 @@ hdf5::File create_campaign(const std::filesystem::path& path, const CampaignHead
     hdf5::write_attribute(file.id(), "sweep_toml", header.sweep_toml);
     hdf5::write_attribute(file.id(), "sweep_hash", header.sweep_hash);
     // Tables show their columns in the order in which they were written.
-    for (const auto* name : {cases_group, provenance_group}) hdf5::create_group(file.id(), name, true);
+    for (const auto* name : {cases_group, states_group, provenance_group})
+        hdf5::create_group(file.id(), name, true);
     for (const auto* name : {series_group, replay_group}) hdf5::create_group(file.id(), name);
     return file;
 }
 
-void write_tables(const hdf5::File& file, const Table& cases, const Table& provenance) {
+void write_tables(const hdf5::File& file, const Table& cases, Table states, const Table& provenance) {
     const hdf5::Group group = hdf5::open_group(file.id(), cases_group);
     write_table(group.id(), cases);
     attach_to_dimension(group.id(), "case_id");
+    write_states(file, std::move(states));
     write_table(hdf5::open_group(file.id(), provenance_group).id(), provenance);
 }
 
@@ -96,6 +115,10 @@ void finish_campaign(hdf5::File file, const std::filesystem::path& path) {
 
 Column case_id_column(Texts ids) {
     return {.label = {"case_id", "", "hash of the case's inputs"}, .values = std::move(ids)};
+}
+
+Column run_id_column(Texts ids) {
+    return {.label = {"case_id", "", "case in whose run the state was found"}, .values = std::move(ids)};
 }
 
 Column build_id_column(Texts ids) {

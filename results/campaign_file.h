@@ -15,6 +15,7 @@ namespace trocar {
 inline constexpr auto cases_group = "cases";
 inline constexpr auto series_group = "series";
 inline constexpr auto replay_group = "replay";
+inline constexpr auto states_group = "states";
 inline constexpr auto provenance_group = "provenance";
 /// @}
 
@@ -30,8 +31,9 @@ CampaignFile open_campaign(const std::filesystem::path& path);
 /// A result file without cases. The groups are there and empty.
 hdf5::File create_campaign(const std::filesystem::path& path, const CampaignHeader& header);
 
-/// Writes the two tables. Row i of `provenance` tells how the cases with `provenance_row` i were run.
-void write_tables(const hdf5::File& file, const Table& cases, const Table& provenance);
+/// Writes the three tables. Row i of `provenance` tells how the cases with `provenance_row` i were run. The
+/// rows of `states`, which has the column case_id, are numbered here; without rows its group stays empty.
+void write_tables(const hdf5::File& file, const Table& cases, Table states, const Table& provenance);
 
 /// Marks the file as whole and closes it. Throws StoreError when something did not reach the file.
 void finish_campaign(hdf5::File file, const std::filesystem::path& path);
@@ -39,6 +41,7 @@ void finish_campaign(hdf5::File file, const std::filesystem::path& path);
 /// @{
 /// Columns that the store itself adds.
 Column case_id_column(Texts ids);
+Column run_id_column(Texts ids);
 Column build_id_column(Texts ids);
 Column provenance_row_column(WholeNumbers rows);
 Column covered_cases_column(WholeNumbers counts);

@@ -72,9 +72,10 @@ void write_row(hid_t dataset, hsize_t row, hid_t memory_type, const void* data);
 
 /// Creates a dataset and writes `data`, which holds as many numbers as `shape` says.
 template <class Number>
-void write_numbers(hid_t group, const Label& label, const Shape& shape, const Number* data) {
-    const Dataset dataset = create_dataset(group, label, NumberType<Number>::stored(), shape);
+Dataset write_numbers(hid_t group, const Label& label, const Shape& shape, const Number* data) {
+    Dataset dataset = create_dataset(group, label, NumberType<Number>::stored(), shape);
     write_all(dataset.id(), NumberType<Number>::in_memory(), data);
+    return dataset;
 }
 
 /// Creates a dataset of one dimension and writes it.

@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -13,7 +16,9 @@ namespace {
 
 /// What the parts hold, in the order of the parts.
 struct Collected {
-    TableMerger cases;                         ///< without provenance_row
+    TableMerger cases;   ///< without provenance_row
+    TableMerger states;  ///< without the rows' numbers
+    std::map<std::string, std::vector<std::size_t>> states_of_case;
     TableMerger provenance;                    ///< without the counts; rows may repeat
     std::vector<std::size_t> provenance_rows;  ///< of each case
     std::map<std::string, std::size_t> row_of_case;
@@ -31,6 +36,24 @@ std::vector<std::size_t> chosen_rows(const Part& part, const Texts& ids) {
                                      part.file.string(), rows.size(), part.case_ids.size()));
     }
     return rows;
+}
+
+/// Takes in the states of the part's cases `ids`.
+void collect_states(const CampaignFile& campaign, const Part& part, const std::vector<std::string>& ids,
+                    Collected& collected) {
+    const hdf5::Group group = hdf5::open_group(campaign.file.id(), states_group);
+    Table states = read_table(group.id());
+    if (states.rows == 0) return;
+    const Texts runs = texts(states, "case_id", group.id());
+    states.erase("state");
+    const std::set<std::string> wanted(ids.begin(), ids.end());
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < states.rows; ++row) {
+        if (!wanted.contains(runs[row])) continue;
+        collected.states_of_case[runs[row]].push_back(collected.states.rows() + rows.size());
+        rows.push_back(row);
+    }
+    collected.states.append(states, rows, part.file.string());
 }
 
 void collect_part(const Part& part, const CampaignHeader& header, Collected& collected) {
@@ -70,6 +93,7 @@ void collect_part(const Part& part, const CampaignHeader& header, Collected& col
     std::vector<std::size_t> every_row(provenance.rows);
     std::iota(every_row.begin(), every_row.end(), 0);
     collected.provenance.append(provenance, every_row, part.file.string());
+    collect_states(campaign, part, ids_here, collected);
 }
 
 /// For each case of the merged file, in its order, the row it was collected in.
@@ -109,8 +133,18 @@ std::vector<std::string> row_keys(const Table& table) {
     return keys;
 }
 
+Table states_in_order(const Collected& collected, std::span<const std::string> case_order) {
+    std::vector<std::size_t> rows;
+    for (const std::string& id : case_order) {
+        const auto states = collected.states_of_case.find(id);
+        if (states != collected.states_of_case.end())
+            std::ranges::copy(states->second, std::back_inserter(rows));
+    }
+    return collected.states.in_order(rows);
+}
+
 void write_merged_tables(const hdf5::File& file, const Collected& collected,
-                         std::span<const std::size_t> rows) {
+                         std::span<const std::size_t> rows, std::span<const std::string> case_order) {
     std::vector<std::size_t> every_row(collected.provenance.rows());
     std::iota(every_row.begin(), every_row.end(), 0);
     const std::vector<std::string> keys = row_keys(collected.provenance.in_order(every_row));
@@ -133,7 +167,7 @@ void write_merged_tables(const hdf5::File& file, const Collected& collected,
     cases.columns.push_back(provenance_row_column(std::move(provenance_rows)));
     Table provenance = collected.provenance.in_order(kept);
     provenance.columns.push_back(covered_cases_column(std::move(counts)));
-    write_tables(file, cases, provenance);
+    write_tables(file, cases, states_in_order(collected, case_order), provenance);
 }
 
 void copy_group(hid_t from, hid_t to, const std::string& path) {
@@ -169,7 +203,7 @@ void merge(const std::filesystem::path& out, const CampaignHeader& header, std::
 
     PendingFile pending(out);
     hdf5::File file = create_campaign(pending.temporary(), header);
-    write_merged_tables(file, collected, rows);
+    write_merged_tables(file, collected, rows, case_order);
     for (std::size_t i = 0; i < parts.size(); ++i) copy_groups(file, parts[i], collected.ids_of_part[i]);
     finish_campaign(std::move(file), pending.temporary());
     pending.publish();

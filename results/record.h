@@ -19,7 +19,7 @@ std::string_view status_name(CaseStatus status);
 /// A value of one row: text, a whole number or a figure. NaN stands for a figure that does not exist.
 using Value = std::variant<std::string, std::int64_t, double>;
 
-/// One column of /cases or /provenance, as one case fills it.
+/// One column of /cases, /states or /provenance, as one row fills it.
 struct Cell {
     std::string name;       ///< column, such as "strategy" or "depth_max_d_max"
     std::string units;      ///< "mm", "mm/s", "ns", "1" for numbers without unit, "" for text
@@ -33,7 +33,9 @@ struct Series {
     std::string units;
     std::string long_name;
     std::vector<double> values;
-    std::string missing;  ///< TEMP
+    /// Why values are NaN, as JSON: reason → ranges of steps, both ends included, such as
+    /// {"no vertex collided": [[0, 4], [10, 12]]}. Empty when nothing is missing.
+    std::string missing;
 };
 
 /// A point as it is stored for replays, mm.
@@ -64,6 +66,8 @@ struct CaseRecord {
     std::vector<Cell> cells;   ///< of /cases, without case_id and build_id; in the order of the columns
     std::vector<double> time;  ///< end of each step, s
     std::vector<Series> series;
+    /// The same-state comparison: rows of /states, without case_id, all with the same columns. None when it
+    /// was not asked for.
     std::vector<std::vector<Cell>> states;
     std::optional<Replay> replay;
     std::vector<Cell> provenance;  ///< one row of /provenance

@@ -12,7 +12,7 @@
 namespace trocar {
 
 /// Version of the layout that README.md of this folder describes.
-inline constexpr std::int64_t schema_version = 1;
+inline constexpr std::int64_t schema_version = 2;
 
 /// A result file that cannot be read, written or merged. The message names the file and what to do.
 struct StoreError : std::runtime_error {
@@ -23,7 +23,7 @@ struct StoreError : std::runtime_error {
 /// beside it, synced and renamed. Throws StoreError.
 void write_case(const std::filesystem::path& file, const CampaignHeader& header, const CaseRecord& record);
 
-/// What a result file holds, without its series.
+/// What a result file holds, without its series and states.
 struct Contents {
     CampaignHeader header;
     /// A row of /cases.
@@ -32,6 +32,8 @@ struct Contents {
         std::string build_id;
         std::string status;
         bool has_replay;
+        std::string metrics;      ///< the metrics that were on; empty when the file does not say
+        std::int64_t same_state;  ///< states that the run was asked to sample
     };
     std::vector<Case> cases;
 };
@@ -46,8 +48,9 @@ struct Part {
 };
 
 /// Merges parts into one campaign file, atomically, with the cases in the order of `case_order` (every id in
-/// it must be in exactly one part). Columns that a part lacks are filled with NaN, "" or 0. Refuses parts
-/// whose schema or sweep differs, saying which. `out` may be one of the parts. Throws StoreError.
+/// it must be in exactly one part); their rows of /states follow that order too. Columns that a part lacks
+/// are filled with NaN, "" or 0. Refuses parts whose schema or sweep differs, saying which. `out` may be one
+/// of the parts. Throws StoreError.
 void merge(const std::filesystem::path& out, const CampaignHeader& header, std::span<const Part> parts,
            std::span<const std::string> case_order);
 

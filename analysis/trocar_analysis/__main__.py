@@ -26,8 +26,13 @@ def make_parser() -> argparse.ArgumentParser:
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
     show.add_argument(
+        "--states", action="store_true",
+        help="the same-state comparison: label and strategy are those that answered, run_label and "
+        "run_strategy those in whose run the state was found",
+    )  # fmt: skip
+    show.add_argument(
         "--only", action="append", default=[], metavar="KEY=VALUE",
-        help="these cases only; values of one key are alternatives; may be given several times",
+        help="these rows only; values of one key are alternatives; may be given several times",
     )  # fmt: skip
     show.add_argument("--by", metavar="COLUMN,…", help="columns to group by; default: those that differ")
     show.add_argument(
@@ -64,12 +69,13 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def run_show(arguments: argparse.Namespace) -> None:
-    from .table import show
+    from .show import Wishes, show_cases, show_states
 
     by = [name.strip() for name in arguments.by.split(",")] if arguments.by else None
     width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
     style = "csv" if arguments.csv else "markdown" if arguments.markdown else "text"
-    sys.stdout.write(show(arguments.file, arguments.only, by, arguments.metric, style, width))
+    wishes = Wishes(arguments.only, by, arguments.metric, style, width)
+    sys.stdout.write((show_states if arguments.states else show_cases)(arguments.file, wishes))
     sys.stdout.flush()
 
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import h5py
@@ -13,14 +15,18 @@ import pandas as pd
 
 from .errors import InputError, unknown
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 
 # Columns of /cases that say what was run and how it ended; every other column is a figure.
 INPUTS = (
     "case_id", "build_id", "strategy", "options", "label", "organ", "organ_facets", "tool", "scene",
-    "speed", "rate", "release", "fractions", "seed",
+    "speed", "rate", "release", "fractions", "seed", "metrics", "judged_rate", "same_state",
 )  # fmt: skip
-OUTCOME = ("status", "reason", "attempts", "wall_s", "provenance_row")
+OUTCOME = ("status", "reason", "attempts", "wall_s", "window_steps", "missing", "provenance_row")
+
+# Columns that /cases has of a run and /states, or its reader, of the strategy that answered: those of the run
+# are called run_… beside the answer's.
+RUN_OWN = ("strategy", "options", "label", "status")
 
 # What two cases must have in common to differ in nothing but the strategy.
 CONDITIONS = ("scene", "organ", "tool", "speed", "rate", "release", "fractions", "seed")
@@ -86,20 +92,43 @@ class ResultFile:
 
     def cases_table(self) -> pd.DataFrame:
         """/cases, one row per case. A case without a label has its strategy's name as label."""
+        return self._labelled("cases")
+
+    def states_table(self) -> pd.DataFrame:
+        """/states, one row per state and strategy that answered, and the inputs of the run in which the state was
+        found. What both have is called run_… where it is the run's: `label` answered, `run_label` ran. Empty
+        when the file has no states."""
         with self._reading():
-            columns = {name: read_column(dataset) for name, dataset in self._file["cases"].items()}
-        lengths = {len(values) for values in columns.values()}
-        if len(lengths) != 1:
-            raise InputError(f"{self.path}: is damaged: the columns of /cases differ in length")
-        cases = pd.DataFrame(columns)
-        label = cases.get("label", pd.Series("", index=cases.index))
-        cases["label"] = label.where(label != "", cases["strategy"])
-        return cases
+            names = set(self._file["states"])
+        if not names:
+            return pd.DataFrame()
+        if missing := {"case_id", "step", "strategy"} - names:
+            raise InputError(f"{self.path}: is damaged: /states has no column {', '.join(sorted(missing))}")
+        states, runs = self._labelled("states"), self.cases_table()
+        if not states["case_id"].isin(runs["case_id"]).all():
+            raise InputError(f"{self.path}: is damaged: /states names a case that /cases does not have")
+        runs = runs[[name for name in (*INPUTS, "status") if name in runs]]
+        runs = runs.rename(columns={name: f"run_{name}" for name in RUN_OWN})
+        new = [name for name in runs if name == "case_id" or name not in states]
+        return states.merge(runs[new], on="case_id", how="left", validate="many_to_one")
 
     def units(self) -> dict[str, str]:
-        """The unit of each column of /cases; "" for text and plain numbers."""
-        units = {name: text(dataset.attrs.get("units", "")) for name, dataset in self._file["cases"].items()}
+        """The unit of each column of /cases and /states; "" for text and plain numbers."""
+        with self._reading():
+            units = {
+                name: text(dataset.attrs.get("units", ""))
+                for group in ("states", "cases")
+                for name, dataset in self._file[group].items()
+            }
         return {name: "" if unit == "1" else unit for name, unit in units.items()}
+
+    def missing_steps(self, case_id: str, series: str) -> dict[str, list[tuple[int, int]]]:
+        """Why a series of a case has steps without a value: for each reason the ranges of steps, both ends
+        included. Empty when every step has one."""
+        with self._reading():
+            said = self._file[f"series/{case_id}/{series}"].attrs.get("missing", "")
+            ranges = json.loads(text(said)) if said else {}
+            return {reason: [(int(a), int(b)) for a, b in steps] for reason, steps in ranges.items()}
 
     def has_replay(self, case_id: str) -> bool:
         return f"replay/{case_id}" in self._file
@@ -113,6 +142,19 @@ class ResultFile:
         """Step `number` (from 0) of a case that has a replay."""
         with self._reading():
             return self._read_step(case_id, number)
+
+    def _labelled(self, group: str) -> pd.DataFrame:
+        """A table of the file. A row without a label gets its strategy's name as label."""
+        with self._reading():
+            columns = {name: read_column(dataset) for name, dataset in self._file[group].items()}
+            for said in set(columns.get("missing", ())):
+                read_reasons(said)
+        if len({len(values) for values in columns.values()}) != 1:
+            raise InputError(f"{self.path}: is damaged: the columns of /{group} differ in length")
+        table = pd.DataFrame(columns)
+        label = table.get("label", pd.Series("", index=table.index))
+        table["label"] = label.where(label != "", table["strategy"])
+        return table
 
     def _read_step(self, case_id: str, number: int) -> Step:
         replay = self._replay(case_id)
@@ -138,7 +180,7 @@ class ResultFile:
         """Turns what h5py raises for a damaged file into an InputError."""
         try:
             yield
-        except (OSError, KeyError, ValueError, IndexError, RuntimeError) as error:
+        except (OSError, KeyError, TypeError, ValueError, AttributeError, IndexError, RuntimeError) as error:
             raise InputError(f"{self.path}: is damaged ({one_line(error)}); run its sweep again") from error
 
     def _replay(self, case_id: str) -> h5py.Group:
@@ -185,6 +227,17 @@ def read_column(dataset: h5py.Dataset) -> np.ndarray:
     if h5py.check_string_dtype(dataset.dtype) is None:
         return dataset[...]
     return np.array([text(value) for value in dataset[...]], dtype=object)
+
+
+@cache
+def read_reasons(said: str) -> dict[str, tuple[str, ...]]:
+    """What the column `missing` says: for each series that lacks values why, the most frequent reason first.
+    ValueError when it says something else."""
+    series = json.loads(said) if said else {}
+    if not isinstance(series, dict):
+        raise ValueError("the column missing holds no JSON object")
+    reasons = {name: {why: 1} if isinstance(why, str) else dict(why) for name, why in series.items()}
+    return {name: tuple(sorted(why, key=why.get, reverse=True)) for name, why in reasons.items()}
 
 
 def text(value: object) -> str:

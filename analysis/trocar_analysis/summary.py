@@ -1,125 +1,115 @@
-"""Groups cases and summarises each figure over the complete cases of a group."""
+"""Groups rows and summarises each figure over a group: of cases, over the complete ones."""
 
 from __future__ import annotations
-
-import re
 
 import numpy as np
 import pandas as pd
 
 from .errors import InputError, unknown
-from .store import CONDITIONS, INPUTS, OUTCOME
-
-DEFAULT_FIGURES = (
-    "depth_max_d_max", "vertices_inside_d_max", "facets_crossing_d_mean", "displacement_mean_mean",
-    "flipped_facets_mean", "fallbacks_mean", "time_handle_p50", "time_cycle_p50",
-)  # fmt: skip
+from .missing import reasons
+from .store import CONDITIONS
+from .subject import Subject, tally
 
 PERCENTILES = {"median": 50, "q1": 25, "q3": 75, "min": 0, "max": 100}
 
-# <metric>[_<moment>]_<figure>: as columns of /cases are named.
-COLUMN = re.compile(r"(?P<series>(?P<metric>.+?)(?:_[hd])?)_(mean|max|final|p50|p95|p99|over_\w+)")
 
-
-def only_cases(cases: pd.DataFrame, filters: list[str]) -> pd.DataFrame:
-    """The cases that match "key=value" filters, as `trocar run --only` has them: filters of one key are
-    alternatives, different keys must all match."""
+def only_rows(rows: pd.DataFrame, filters: list[str], subject: Subject) -> pd.DataFrame:
+    """The rows that match "key=value" filters, as `trocar run --only` has them: filters of one key are
+    alternatives, different keys must all match. A strategy goes by its name or its label."""
     allowed: dict[str, list[str]] = {}
     for text in filters:
         key, equals, value = text.partition("=")
         if not equals:
             raise InputError(f"--only {text}: expected key=value, such as speed=100")
-        if key not in cases:
-            raise unknown("key", key, [name for name in (*INPUTS, *OUTCOME) if name in cases])
+        if key not in rows:
+            raise unknown("key", key, keys_of(rows, subject))
         allowed.setdefault(key, []).append(value)
+    every_row = rows
     for key, values in allowed.items():
-        texts = cases[key].map(lambda cell: f"{cell:g}" if isinstance(cell, float) else str(cell))
-        labels = cases["label"] if key == "strategy" else texts
+        texts = every_row[key].map(lambda cell: f"{cell:g}" if isinstance(cell, float) else str(cell))
+        labels = every_row[key.replace("strategy", "label")] if key in ("strategy", "run_strategy") else texts
         known = {*texts, *labels}
         for value in values:
             if value not in known:
                 raise unknown(key, value, sorted(known))
-        cases = cases[texts.isin(values) | labels.isin(values)]
-        if cases.empty:
-            raise InputError(f"--only {key}={' or '.join(values)}: no case matches this and the filters before it")
-    return cases
+        matches = texts.isin(values) | labels.isin(values)
+        rows = rows[matches[rows.index]]
+        if rows.empty:
+            raise InputError(f"--only {key}={' or '.join(values)}: nothing matches this and the filters before it")
+    return rows
 
 
-def choose_keys(cases: pd.DataFrame, asked: list[str] | None) -> list[str]:
+def keys_of(rows: pd.DataFrame, subject: Subject) -> list[str]:
+    return [name for name in subject.keys if name in rows]
+
+
+def choose_keys(rows: pd.DataFrame, asked: list[str] | None, subject: Subject) -> list[str]:
     """The columns to group by. When none are asked for: speed, other conditions that differ, and the
     label, so that strategies under equal conditions stand below each other."""
     if asked:
         for name in asked:
-            if name not in cases:
-                raise unknown("column", name, [name for name in (*INPUTS, *OUTCOME) if name in cases])
+            if name not in rows:
+                raise unknown("column", name, keys_of(rows, subject))
         return list(dict.fromkeys(asked))
     differing = [
         name
         for name in CONDITIONS
-        if name in cases and name != "seed" and (name == "speed" or cases[name].nunique() > 1)
+        if name in rows and name != "seed" and (name == "speed" or rows[name].nunique() > 1)
     ]
     return [*differing, "label"]
 
 
-def choose_figures(cases: pd.DataFrame, asked: list[str] | None) -> list[str]:
+def choose_figures(rows: pd.DataFrame, asked: list[str] | None, subject: Subject) -> list[str]:
     """The columns to summarise. A name is a column's, or a metric's (with or without its moment): then all of
-    its columns. When none is asked for: those of DEFAULT_FIGURES that the file has."""
-    numbers = [name for name in cases if pd.api.types.is_numeric_dtype(cases[name])]
-    figures = [name for name in numbers if name not in (*INPUTS, "provenance_row")]
-    if not asked:
-        return [name for name in DEFAULT_FIGURES if name in figures]
+    its columns. When none is asked for: the usual ones that the file has."""
+    numbers = [name for name in rows if pd.api.types.is_numeric_dtype(rows[name])]
+    names = {column: metric_names(column, subject) for column in numbers if column not in subject.no_figures}
     chosen: list[str] = []
-    for name in asked:
-        found = [name] if name in figures else [column for column in figures if name in metric_names(column)]
-        if not found:
-            raise unknown("metric", name, {*figures}.union(*map(metric_names, figures)))
+    for name in asked or subject.usual:
+        found = [name] if name in names else [column for column in names if name in names[column]]
+        if not found and asked:
+            raise unknown("metric", name, {*names}.union(*names.values()))
         chosen += found
     return list(dict.fromkeys(chosen))
 
 
-def metric_names(column: str) -> set[str]:
+def metric_names(column: str, subject: Subject) -> set[str]:
     """The names under which a metric's column may be asked for: "depth_max", "depth_max_d"."""
-    match = COLUMN.fullmatch(column)
-    return {match["metric"], match["series"]} if match else set()
+    name = subject.name_of(column)
+    return {name.metric, name.series} if name else set()
 
 
 def summarise(
-    cases: pd.DataFrame, keys: list[str], figures: list[str], units: dict[str, str]
+    rows: pd.DataFrame, keys: list[str], figures: list[str], units: dict[str, str], subject: Subject
 ) -> pd.DataFrame:
-    """One row per group and figure: the keys, `cases` (all of the group), `failed` (those that are not
-    complete), `failures` (how they ended), `metric`, `units`, `nan` (complete cases in which the figure does
-    not exist), and over the others `median`, the quartiles `q1` and `q3`, `min` and `max`: NaN where there
-    are none. Numbers are in the stored unit."""
-    rows = []
-    for values, group in groups_in_order(cases, keys):
-        complete = group[group["status"] == "complete"]
-        failures = group.loc[group["status"] != "complete", "status"]
-        head = dict(zip(keys, values))
-        head |= {"cases": len(group), "failed": len(failures), "failures": tally(failures)}
+    """One row per group and figure: the keys; what the group is counted by: `cases` (all of it), `failed` (those that
+    are not complete) and `failures` (how they ended), or `states` and `answers`; `metric`, `units`, `nan` (usable
+    rows in which the figure does not exist), `why` (and the reasons), and over the others `median`, the
+    quartiles `q1` and `q3`, `min` and `max`: NaN where there are none. Numbers are in the stored unit."""
+    summary = []
+    for values, group in groups_in_order(rows, keys):
+        usable, counts = subject.count(group)
         for name in figures:
-            numbers = complete[name].to_numpy(dtype=float)
+            numbers = usable[name].to_numpy(dtype=float)
+            unknown_rows = usable[np.isnan(numbers)]
             known = numbers[~np.isnan(numbers)]
-            figure = {"metric": name, "units": units.get(name, ""), "nan": len(numbers) - len(known)}
+            figure = {"metric": name, "units": units.get(name, ""), "nan": len(unknown_rows)}
+            figure["why"] = tally(reasons(unknown_rows, subject.name_of(name)))
             for figure_name, percent in PERCENTILES.items():
                 figure[figure_name] = np.percentile(known, percent) if len(known) else np.nan
-            rows.append(head | figure)
-    return pd.DataFrame(rows)
+            summary.append(dict(zip(keys, values)) | counts | figure)
+    return pd.DataFrame(summary)
 
 
-def tally(statuses: pd.Series) -> str:
-    """Such as "2 diverged, 1 crashed"."""
-    return ", ".join(f"{count} {status}" for status, count in statuses.value_counts().items())
-
-
-def groups_in_order(cases: pd.DataFrame, keys: list[str]) -> list[tuple[tuple, pd.DataFrame]]:
+def groups_in_order(rows: pd.DataFrame, keys: list[str]) -> list[tuple[tuple, pd.DataFrame]]:
     """Groups sorted key by key: numbers ascending, texts in the order in which the file first has them."""
     ranks = []
     for key in keys:
-        values = cases[key].unique()
-        if pd.api.types.is_numeric_dtype(cases[key]):
+        values = rows[key].unique()
+        if pd.api.types.is_numeric_dtype(rows[key]):
             values = np.sort(values)
         ranks.append({value: rank for rank, value in enumerate(values)})
-    groups = cases.groupby(keys if len(keys) > 1 else keys[0], sort=False, dropna=False)
+    groups = rows.groupby(keys if len(keys) > 1 else keys[0], sort=False, dropna=False)
     named = [(values if len(keys) > 1 else (values,), group) for values, group in groups]
 
     def place(item: tuple[tuple, pd.DataFrame]) -> list[int]:

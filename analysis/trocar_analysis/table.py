@@ -1,4 +1,4 @@
-"""`show`: the groups of a result file as an aligned table, as Markdown, or as CSV."""
+"""The layout of a summary: an aligned table, or Markdown."""
 
 from __future__ import annotations
 
@@ -7,9 +7,7 @@ from dataclasses import dataclass
 
 import pandas as pd
 
-from .errors import InputError
-from .store import CONDITIONS, ResultFile
-from .summary import COLUMN, choose_figures, choose_keys, only_cases, summarise, tally
+from .subject import Subject
 
 ABSENT = "–"
 
@@ -24,51 +22,31 @@ class Column:
     cells: list[tuple[str, str]]
 
 
-def show(
-    path: str, only: list[str], by: list[str] | None, metrics: list[str] | None, style: str, width: int | None
-) -> str:
-    """The table of a result file. `only` are filters "key=value" (see only_cases). `style` is "text", "markdown" or "csv"; `width` is the terminal's, in
-    characters: quartiles are left out of a text table that would be wider. None: any width fits."""
-    with ResultFile(path) as results:
-        cases, units = results.cases_table(), results.units()
-    if cases.empty:
-        raise InputError(f"{path}: has no cases")
-    cases = only_cases(cases, only)
-    keys = choose_keys(cases, by)
-    figures = choose_figures(cases, metrics)
-    if not figures:
-        raise InputError(f"{path}: has none of the usual figures; name one with --metric")
-    summary = summarise(cases, keys, figures, units)
-    if style == "csv":
-        return summary.to_csv(index=False)
-    columns = lay_out(summary, keys, figures, units)
+def render(
+    summary: pd.DataFrame, keys: list[str], figures: list[str], units: dict[str, str], subject: Subject,
+    heading: list[str], notes: list[str], style: str, width: int | None
+) -> str:  # fmt: skip
+    """A summary for people, in the style "text" or "markdown". Text has `heading` above it; both have `notes`, why
+    figures do not exist, below. `width` is the terminal's, in characters: quartiles are left out of a text table
+    that would be wider. None: any width fits."""
+    columns = lay_out(summary, keys, figures, units, subject)
     if style == "markdown":
-        return markdown(columns)
+        return markdown(columns) + "".join(["\n", *(f"- {note}\n" for note in notes)] if notes else [])
     lines = aligned(columns, with_quartiles=True)
     fits = width is None or max(map(len, lines)) <= width
     if not fits:
         lines = aligned(columns, with_quartiles=False)
     what = "Median (lower–upper quartile)" if fits else "Median"
-    heading = [*overview(path, cases, keys, units), f"{what} over the complete cases.", ""]
-    return "\n".join([*heading, *lines, ""])
-
-
-def overview(path: str, cases: pd.DataFrame, keys: list[str], units: dict[str, str]) -> list[str]:
-    """What the file holds: the number of cases, how they ended, and the conditions that all of them share."""
-    failed = cases.loc[cases["status"] != "complete", "status"]
-    first = f"{path}: {len(cases)} cases, {len(cases) - len(failed)} complete"
-    if len(failed):
-        first += f", {len(failed)} failed ({tally(failed)})"
-    known = [name for name in CONDITIONS if name in cases and name not in keys]
-    shared = [name for name in known if cases[name].nunique() == 1]
-    facts = [f"{name} {number(cases[name].iloc[0])} {units.get(name, '')}".strip() for name in shared]
-    return [first, ", ".join(facts)] if facts else [first]
+    above = [*heading, f"{what} over the {subject.usable}.", ""]
+    below = ["", *notes] if notes else []
+    return "\n".join([*above, *lines, *below, ""])
 
 
 def lay_out(
-    summary: pd.DataFrame, keys: list[str], figures: list[str], units: dict[str, str]
+    summary: pd.DataFrame, keys: list[str], figures: list[str], units: dict[str, str], subject: Subject
 ) -> list[Column]:
-    """The summary's columns for people: keys, number of cases and of failures, then one column per figure."""
+    """The summary's columns for people: keys, number of cases and of failures, or of states, then one column per
+    figure."""
     groups = summary[summary["metric"] == figures[0]]
     columns = []
     for key in keys:
@@ -76,18 +54,26 @@ def lay_out(
         is_text = not pd.api.types.is_numeric_dtype(groups[key])
         cells = [(number(value), "") for value in groups[key]]
         columns.append(Column((title, ""), units.get(key, ""), is_text, cells))
-    columns.append(Column(("cases", ""), "", False, [(str(count), "") for count in groups["cases"]]))
-    failures = zip(groups["failed"], groups["failures"])
-    cells = [(str(count), f"({how})" if how else "") for count, how in failures]
-    columns.append(Column(("failed", ""), "", False, cells))
+    columns += count_columns(groups)
     for name in figures:
         rows = summary[summary["metric"] == name]
         unit, factor = readable_unit(units.get(name, ""), rows)
-        match = COLUMN.fullmatch(name)
-        title = (match["metric"], name.removeprefix(match["metric"])) if match else (name, "")
+        parts = subject.name_of(name)
+        title = (parts.metric, name.removeprefix(parts.metric)) if parts else (name, "")
         cells = [figure_cell(row, factor) for _, row in rows.iterrows()]
         columns.append(Column(title, unit, False, cells))
     return columns
+
+
+def count_columns(groups: pd.DataFrame) -> list[Column]:
+    if "states" in groups:
+        return [Column(("states", ""), "", False, [(str(count), "") for count in groups["states"]])]
+    failures = zip(groups["failed"], groups["failures"])
+    failed = [(str(count), f"({how})" if how else "") for count, how in failures]
+    return [
+        Column(("cases", ""), "", False, [(str(count), "") for count in groups["cases"]]),
+        Column(("failed", ""), "", False, failed),
+    ]
 
 
 def readable_unit(unit: str, rows: pd.DataFrame) -> tuple[str, float]:

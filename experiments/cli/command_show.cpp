@@ -14,19 +14,21 @@ namespace {
 
 constexpr const char* footer =
     "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
-    "Example:\n"
-    "  trocar show results.h5 --by label,speed --metric depth_max_d_max";
+    "Examples:\n"
+    "  trocar show results.h5 --by label,speed --metric depth_max_d_max\n"
+    "  trocar show results.h5 --states --only run_label=nearest-face";
 
 struct ShowOptions {
     std::string file, by;
     std::vector<std::string> filters, metrics;
-    bool csv = false, markdown = false;
+    bool states = false, csv = false, markdown = false;
 
     [[nodiscard]] std::vector<std::string> arguments() const {
         std::vector<std::string> words{"show"};
         for (const std::string& filter : filters) words.push_back("--only=" + filter);
         if (!by.empty()) words.push_back("--by=" + by);
         for (const std::string& metric : metrics) words.push_back("--metric=" + metric);
+        if (states) words.emplace_back("--states");
         if (csv) words.emplace_back("--csv");
         if (markdown) words.emplace_back("--markdown");
         words.insert(words.end(), {"--", file});
@@ -45,6 +47,10 @@ void add_show(CLI::App& app, Program& program) {
         ->add_option("--only", options->filters,
                      "key=value: these cases only, as for trocar run; may be given several times")
         ->allow_extra_args(false);
+    command->add_flag(
+        "--states", options->states,
+        "the same-state comparison: what each strategy made of states found in the runs; label is "
+        "the strategy that answered, run_label the one whose run it was");
     command->add_option("--by", options->by,
                         "columns to group by, separated by commas; without it: what differs, and the label");
     command

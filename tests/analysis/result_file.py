@@ -13,7 +13,10 @@ import numpy as np
 
 ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
 
-UNITS = {"speed": "mm/s", "rate": "Hz", "depth_max_d_max": "mm", "time_handle_p50": "ns"}
+UNITS = {
+    "speed": "mm/s", "rate": "Hz", "depth_max_d_max": "mm", "drag_mean": "mm", "time_handle_p50": "ns",
+    "depth_max_h": "mm", "drag": "mm", "displacement_mean": "mm",
+}  # fmt: skip
 
 CASE = {
     "build_id": "b1", "strategy": "nearest-face", "options": "{}", "label": "", "organ": "sphere",
@@ -22,20 +25,27 @@ CASE = {
 }  # fmt: skip
 
 
-def write_results(path: Path, cases: list[dict], replays: dict[str, list[dict]] | None = None) -> None:
-    """Cases are CASE with the given values over it; replays are steps per case id (see dent())."""
-    text = h5py.string_dtype()
+def write_results(
+    path: Path, cases: list[dict], replays: dict[str, list[dict]] | None = None, states: list[dict] | None = None
+) -> None:
+    """Cases are CASE with the given values over it; replays are steps per case id (see dent()); states are rows
+    of /states. All cases have the columns of the first, and so have all states."""
     with h5py.File(path, "w") as file:
-        file.attrs.update(schema_version=1, complete=1, generator="test")
-        for name in ("cases", "series", "replay", "provenance"):
+        file.attrs.update(schema_version=2, complete=1, generator="test")
+        for name in ("cases", "series", "states", "replay", "provenance"):
             file.create_group(name)
-        for name in ["case_id", *CASE]:
-            values = [(CASE | case)[name] for case in cases]
-            is_text = isinstance(values[0], str)
-            column = file["cases"].create_dataset(name, data=values, dtype=text if is_text else None)
-            column.attrs["units"] = UNITS.get(name, "" if is_text else "1")
+        write_table(file["cases"], [CASE | case for case in cases])
+        write_table(file["states"], [{"state": row} | state for row, state in enumerate(states or [])])
         for case_id, steps in (replays or {}).items():
             write_replay(file, case_id, steps)
+
+
+def write_table(group: h5py.Group, rows: list[dict]) -> None:
+    for name in rows[0] if rows else ():
+        values = [row[name] for row in rows]
+        is_text = isinstance(values[0], str)
+        column = group.create_dataset(name, data=values, dtype=h5py.string_dtype() if is_text else None)
+        column.attrs["units"] = UNITS.get(name, "" if is_text else "1")
 
 
 def write_replay(file: h5py.File, case_id: str, steps: list[dict]) -> None:

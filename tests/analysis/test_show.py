@@ -133,7 +133,7 @@ class Refused(ProgramTest):
         write_results(self.file, [{"case_id": "1"}])
         with h5py.File(self.file, "a") as file:
             file.attrs["schema_version"] = 7
-        self.assert_refused("show", self.file, saying=["schema 7", "reads schema 1"])
+        self.assert_refused("show", self.file, saying=["schema 7", "reads schema 2"])
 
     def test_unfinished_file(self):
         write_results(self.file, [{"case_id": "1"}])

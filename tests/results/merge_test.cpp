@@ -51,6 +51,16 @@ TEST_F(MergeTest, SeriesAndReplaysAreCopied) {
     EXPECT_EQ(numbers_in(path("all.h5"), "series/a2/time", shape), sample_case("a2").time);
 }
 
+TEST_F(MergeTest, WhyValuesAreMissingIsCopied) {
+    CaseRecord record = sample_case("a2");
+    record.series[0].missing = std::string(200'000, 'x');  // more than fits into a dataset's header
+    write_case(path("a2.h5"), sample_header(), record);
+    merge_all({{written("a1"), {}}, {path("a2.h5"), {}}}, {"a1", "a2"});
+    EXPECT_EQ(missing_in(path("all.h5"), "series/a1/depth_max_d"), R"({"no vertex inside":[[1,1]]})");
+    EXPECT_EQ(missing_in(path("all.h5"), "series/a1/recovery"), std::nullopt);
+    EXPECT_EQ(missing_in(path("all.h5"), "series/a2/depth_max_d"), record.series[0].missing);
+}
+
 TEST_F(MergeTest, ACampaignTakesInFurtherCases) {
     merge_all({{written("a1"), {}}, {written("a3"), {}}}, {"a1", "a3"});
     merge_all({{path("all.h5"), {}}, {written("a2"), {}}}, {"a1", "a2", "a3"});
@@ -89,6 +99,7 @@ TEST_F(MergeTest, OnlyChosenCasesAreTaken) {
 TEST_F(MergeTest, MergingAgainGivesTheSameBytes) {
     CaseRecord record = sample_case("a1");
     record.replay = sample_replay(3);
+    record.states = {sample_state(1, "s", 1)};
     write_case(path("a1.h5"), sample_header(), record);
     const std::vector<Part> parts{{path("a1.h5"), {}}, {written("a2"), {}}};
     merge_all(parts, {"a1", "a2"});

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -19,12 +20,14 @@ class PythonTest : public StoreTest {
         return WEXITSTATUS(std::system(command.c_str()));
     }
 
-    /// Cases a2 and a1, in this order, the latter with a replay.
+    /// Cases a2 and a1, in this order, the latter with a replay and two states, the former with one.
     void write_campaign() const {
         CaseRecord record = sample_case("a1");
         record.replay = sample_replay(3);
+        record.states = {sample_state(1, "tool-facet", 0.5), sample_state(1, "µ", 0.25)};
         write_case(path("a1.h5"), sample_header(), record);
-        const std::vector<Part> parts{{path("a1.h5"), {}}, {written("a2"), {}}};
+        const auto a2 = written("a2", {sample_state(2, "tool-facet", std::nan(""))});
+        const std::vector<Part> parts{{path("a1.h5"), {}}, {a2, {}}};
         const std::vector<std::string> order{"a2", "a1"};
         merge(path("all & more.h5"), sample_header(), parts, order);
     }

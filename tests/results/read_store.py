@@ -4,6 +4,7 @@ Usage: read_store.py tables|xdmf <campaign.h5> <replay.xdmf>. Exit status 77 whe
 """
 
 import importlib
+import json
 import sys
 import xml.etree.ElementTree
 from pathlib import Path
@@ -29,13 +30,33 @@ def check_table(table):
     assert table["depth_max_d_max"].isna().all(), table
 
 
+def check_states(table):
+    assert list(table["state"]) == [0, 1, 2], table
+    assert list(table["case_id"]) == ["a2", "a1", "a1"], table
+    assert list(table["step"]) == [2, 1, 1], table
+    assert list(table["strategy"]) == ["tool-facet", "tool-facet", "µ"], table
+    assert table["drag"].isna()[0] and list(table["drag"][1:]) == [0.5, 0.25], table
+
+
+def frame(group):
+    return pandas.DataFrame(
+        {name: data.asstr()[:] if data.dtype == object else data[:] for name, data in group.items()}
+    )
+
+
 def check_tables(campaign):
     with h5py.File(campaign) as file:
-        assert file.attrs["schema_version"] == 1 and file.attrs["complete"] == 1
+        assert file.attrs["schema_version"] == 2 and file.attrs["complete"] == 1
         assert file.attrs["sweep_toml"] == '[sweep]\nname = "µ test"\n'
-        columns = {name: data.asstr()[:] if data.dtype == object else data[:] for name, data in file["cases"].items()}
-        check_table(pandas.DataFrame(columns))
-        assert list(columns)[:3] == ["case_id", "build_id", "strategy"], "columns lost their order"
+        cases, states = frame(file["cases"]), frame(file["states"])
+        check_table(cases)
+        assert list(cases)[:3] == ["case_id", "build_id", "strategy"], "columns lost their order"
+        check_states(states)
+        assert list(states) == ["state", "case_id", "step", "strategy", "drag"], "columns lost their order"
+        assert len(states.merge(cases, on="case_id")) == 3
+        missing = file["series/a1/depth_max_d"].attrs["missing"]
+        assert json.loads(missing) == {"no vertex inside": [[1, 1]]}, missing
+        assert "missing" not in file["series/a1/recovery"].attrs
 
         unlabelled = []
         file.visititems(
@@ -49,10 +70,15 @@ def check_tables(campaign):
         assert h5py.h5ds.is_attached(file["cases/speed"].id, file["cases/case_id"].id, 0)
         assert file["cases/speed"].dims[0][0] == file["cases/case_id"]
         assert len(file["cases/case_id"].attrs["REFERENCE_LIST"]) == len(file["cases"]) - 1
+        assert h5py.h5ds.is_scale(file["states/state"].id)
+        assert h5py.h5ds.is_attached(file["states/case_id"].id, file["states/state"].id, 0)
         assert file["replay/a1/found"].chunks == (1, 4, 3) and file["replay/a1/found"].dtype == numpy.float32
         assert file["replay/a1/found"].compression == "gzip" and file["replay/a1/found"].shuffle
 
     check_table(xarray.open_dataset(campaign, group="cases", engine="h5netcdf").to_dataframe().reset_index())
+    states = xarray.open_dataset(campaign, group="states", engine="h5netcdf")
+    assert states["drag"].dims == ("state",) and states["drag"].attrs["units"] == "mm"
+    check_states(states.to_dataframe().reset_index())
     series = xarray.open_dataset(campaign, group="series/a1", engine="h5netcdf", phony_dims="sort")
     assert series["depth_max_d"].values[2] == 0.25 and series["depth_max_d"].attrs["units"] == "mm"
 

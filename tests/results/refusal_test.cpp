@@ -106,11 +106,11 @@ TEST_F(RefusalTest, AnotherSchemaIsRefusedByReadAndMerge) {
         H5Adelete(open, "schema_version");
         hdf5::write_attribute(open, "schema_version", schema_version + 1);
     });
-    EXPECT_THAT(reading(file), HasSubstr("a1.h5: has schema version 2, this program reads version 1"));
+    EXPECT_THAT(reading(file), HasSubstr("a1.h5: has schema version 3, this program reads version 2"));
     const std::vector<Part> parts{{file, {}}};
     const std::vector<std::string> order{"a1"};
     EXPECT_THAT(error_of([&] { merge(path("all.h5"), sample_header(), parts, order); }),
-                HasSubstr("a1.h5: has schema version 2"));
+                HasSubstr("a1.h5: has schema version 3"));
 }
 
 TEST_F(RefusalTest, UnfinishedFile) {

@@ -17,8 +17,11 @@ StoreTest::StoreTest() : folder_(std::filesystem::temp_directory_path() / "troca
 
 StoreTest::~StoreTest() { std::filesystem::remove_all(folder_); }
 
-std::filesystem::path StoreTest::written(const std::string& case_id) const {
-    write_case(path(case_id + ".h5"), sample_header(), sample_case(case_id));
+std::filesystem::path StoreTest::written(const std::string& case_id,
+                                         const std::vector<std::vector<Cell>>& states) const {
+    CaseRecord record = sample_case(case_id);
+    record.states = states;
+    write_case(path(case_id + ".h5"), sample_header(), record);
     return path(case_id + ".h5");
 }
 
@@ -48,10 +51,18 @@ CaseRecord sample_case(const std::string& case_id) {
                       {"depth_max_d_max", "mm", "greatest depth", nan},
                       {"status", "", "how the case ended", std::string(status_name(CaseStatus::timed_out))}},
             .time = {0.1, 0.2, 0.3},
-            .series = {{"depth_max_d", "mm", "greatest depth", {1.5, nan, 0.25}},
-                       {"recovery", "mm", "distance to rest", {}}},
+            .series =
+                {{"depth_max_d", "mm", "greatest depth", {1.5, nan, 0.25}, R"({"no vertex inside":[[1,1]]})"},
+                 {"recovery", "mm", "distance to rest", {}, ""}},
+            .states = {},
             .replay = {},
             .provenance = {{"host", "", "machine", "theatre"}, {"cores", "1", "cores", std::int64_t{2}}}};
+}
+
+std::vector<Cell> sample_state(std::int64_t step, const std::string& strategy, double drag) {
+    return {{"step", "1", "step in which the state was found", step},
+            {"strategy", "", "strategy that answered", strategy},
+            {"drag", "mm", "sideways displacement", drag}};
 }
 
 Replay sample_replay(std::size_t steps) {
@@ -87,6 +98,12 @@ Table table_in(const std::filesystem::path& file, const std::string& group) {
     return read_table(hdf5::open_group(open.id(), group).id());
 }
 
+std::vector<std::string> column_names(const Table& table) {
+    std::vector<std::string> names;
+    for (const Column& column : table.columns) names.push_back(column.label.name);
+    return names;
+}
+
 std::vector<double> numbers_in(const std::filesystem::path& file, const std::string& dataset,
                                hdf5::Shape& shape) {
     const hdf5::Session session;
@@ -97,6 +114,14 @@ std::vector<double> numbers_in(const std::filesystem::path& file, const std::str
     hdf5::checked(H5Dread(source.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()),
                   source.id(), "", "cannot read");
     return numbers;
+}
+
+std::optional<std::string> missing_in(const std::filesystem::path& file, const std::string& dataset) {
+    const hdf5::Session session;
+    const hdf5::File open(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    const hdf5::Dataset source = hdf5::open_dataset(open.id(), dataset);
+    if (H5Aexists(source.id(), "missing") <= 0) return std::nullopt;
+    return hdf5::read_text_attribute(source.id(), "missing");
 }
 
 }  // namespace trocar

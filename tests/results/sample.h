@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ class StoreTest : public testing::Test {
     /// A file of this name in the test's folder.
     [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
 
-    /// Writes sample_case(case_id) as <case_id>.h5 and returns where it is.
-    [[nodiscard]] std::filesystem::path written(const std::string& case_id) const;
+    /// Writes sample_case(case_id) with these rows of /states as <case_id>.h5 and returns where it is.
+    [[nodiscard]] std::filesystem::path written(const std::string& case_id,
+                                                const std::vector<std::vector<Cell>>& states = {}) const;
 
     /// The names in the test's folder, sorted.
     [[nodiscard]] std::vector<std::string> files() const;
@@ -33,8 +35,12 @@ class StoreTest : public testing::Test {
 
 CampaignHeader sample_header();
 
-/// Three steps, two series; a text, a whole number, a figure and a NaN among the cells; no replay.
+/// Three steps, two series, the first with a NaN and why; a text, a whole number, a figure and a NaN among
+/// the cells; no states, no replay.
 CaseRecord sample_case(const std::string& case_id);
+
+/// A row of /states: a whole number, a text and a figure.
+std::vector<Cell> sample_state(std::int64_t step, const std::string& strategy, double drag);
 
 /// A tetrahedron that a triangle moves through, over `steps` steps; numbers differ from step to step.
 Replay sample_replay(std::size_t steps);
@@ -43,6 +49,9 @@ std::string bytes_of(const std::filesystem::path& file);
 
 /// The table in a group of a result file.
 Table table_in(const std::filesystem::path& file, const std::string& group);
+
+/// The names of its columns, in their order.
+std::vector<std::string> column_names(const Table& table);
 
 /// The values of a column, which must be there and of this kind.
 template <class Values>
@@ -53,6 +62,9 @@ Values values(const Table& table, const std::string& column) {
 /// All numbers of a dataset, and its shape in `shape`.
 std::vector<double> numbers_in(const std::filesystem::path& file, const std::string& dataset,
                                hdf5::Shape& shape);
+
+/// The text attribute `missing` of a dataset; nothing when it has none.
+std::optional<std::string> missing_in(const std::filesystem::path& file, const std::string& dataset);
 
 /// What `action` throws as StoreError; "nothing thrown" otherwise.
 template <class Action>

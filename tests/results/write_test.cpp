@@ -14,12 +14,6 @@ using testing::Pointwise;
 
 class WriteTest : public StoreTest {};
 
-std::vector<std::string> column_names(const Table& table) {
-    std::vector<std::string> names;
-    for (const Column& column : table.columns) names.push_back(column.label.name);
-    return names;
-}
-
 TEST_F(WriteTest, EveryKindOfCellComesBack) {
     const Table cases = table_in(written("a1"), "cases");
     EXPECT_THAT(column_names(cases), ElementsAre("case_id", "build_id", "strategy", "options", "seed",
@@ -52,6 +46,13 @@ TEST_F(WriteTest, SeriesComeBack) {
     EXPECT_EQ(numbers_in(file, "series/a1/recovery", shape), Figures{});
 }
 
+TEST_F(WriteTest, SeriesTellWhyValuesAreMissing) {
+    const auto file = written("a1");
+    EXPECT_EQ(missing_in(file, "series/a1/depth_max_d"), R"({"no vertex inside":[[1,1]]})");
+    EXPECT_EQ(missing_in(file, "series/a1/recovery"), std::nullopt);
+    EXPECT_EQ(missing_in(file, "series/a1/time"), std::nullopt);
+}
+
 TEST_F(WriteTest, ContentsTellHeaderAndCases) {
     CaseRecord record = sample_case("a1");
     record.replay = sample_replay(3);
@@ -67,6 +68,19 @@ TEST_F(WriteTest, ContentsTellHeaderAndCases) {
     EXPECT_EQ(contents.cases[0].status, "timed_out");
     EXPECT_TRUE(contents.cases[0].has_replay);
     EXPECT_FALSE(read_contents(written("a2")).cases[0].has_replay);
+}
+
+TEST_F(WriteTest, ContentsTellWhatWasMeasured) {
+    CaseRecord record = sample_case("a1");
+    record.cells.push_back({"metrics", "", "metrics that were on", "drag,depth_max"});
+    record.cells.push_back({"same_state", "1", "states to sample", std::int64_t{5}});
+    write_case(path("a1.h5"), sample_header(), record);
+    const Contents::Case said = read_contents(path("a1.h5")).cases.at(0);
+    EXPECT_EQ(said.metrics, "drag,depth_max");
+    EXPECT_EQ(said.same_state, 5);
+    const Contents::Case silent = read_contents(written("a2")).cases.at(0);
+    EXPECT_EQ(silent.metrics, "");
+    EXPECT_EQ(silent.same_state, 0);
 }
 
 TEST_F(WriteTest, ReplayComesBackStepByStep) {
@@ -108,7 +122,7 @@ TEST_F(WriteTest, ToolIsPlacedByItsPose) {
 TEST_F(WriteTest, ACaseThatTookNoStepIsStored) {
     CaseRecord record = sample_case("a1");
     record.time.clear();
-    record.series = {{"depth_max_d", "mm", "greatest depth", {}}};
+    record.series = {{"depth_max_d", "mm", "greatest depth", {}, ""}};
     record.replay = Replay{};
     write_case(path("a1.h5"), sample_header(), record);
     EXPECT_TRUE(read_contents(path("a1.h5")).cases.at(0).has_replay);
@@ -117,6 +131,7 @@ TEST_F(WriteTest, ACaseThatTookNoStepIsStored) {
 TEST_F(WriteTest, SameRecordGivesSameBytes) {
     CaseRecord record = sample_case("a1");
     record.replay = sample_replay(3);
+    record.states = {sample_state(1, "tool-facet", 0.5)};
     write_case(path("first.h5"), sample_header(), record);
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's times count seconds
     write_case(path("second.h5"), sample_header(), record);
