@@ -1,6 +1,21 @@
 #include "experiments/metrics/judged_organ.h"
 
+#include <set>
+
 namespace trocar {
+namespace {
+
+std::vector<std::array<Index, 2>> border_of(std::span<const Facet> facets) {
+    std::set<std::array<Index, 2>> edges;
+    for (const auto& [a, b, c] : facets) edges.insert({{a, b}, {b, c}, {c, a}});
+    std::vector<std::array<Index, 2>> border;
+    for (const auto& [from, to] : edges) {
+        if (!edges.contains({to, from})) border.push_back({from, to});
+    }
+    return border;
+}
+
+}  // namespace
 
 JudgedOrgan::JudgedOrgan(const Organ& organ)
     : organ_(organ), vertex_normals_(organ.rest.positions.size(), Vec3::Zero()) {
@@ -11,6 +26,7 @@ JudgedOrgan::JudgedOrgan(const Organ& organ)
         for (const Index vertex : facet) vertex_normals_[vertex] += area_vector;
     }
     for (Vec3& normal : vertex_normals_) normal.stableNormalize();
+    if (!organ.adjacency.closed()) border_ = border_of(facets());
 }
 
 }  // namespace trocar

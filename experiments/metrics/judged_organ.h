@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "common/geometry/organ.h"
@@ -23,10 +24,17 @@ class JudgedOrgan {
     /// Of each vertex at rest, outer, of unit length: the mean of its facets' normals by their areas.
     [[nodiscard]] const std::vector<Vec3>& vertex_normals() const { return vertex_normals_; }
 
+    /// The edges of an open surface's border, each from vertex to vertex as its facet runs.
+    [[nodiscard]] const std::vector<std::array<Index, 2>>& border() const { return border_; }
+    /// Whether there is an inside: the organ is closed, or a sheet made by formula, whose inside is beneath
+    /// it.
+    [[nodiscard]] bool has_inside() const { return border_.empty() || organ_.outline; }
+
   private:
     const Organ& organ_;
     std::vector<double> rest_lengths_;
     std::vector<Vec3> vertex_normals_;
+    std::vector<std::array<Index, 2>> border_;
 };
 
 }  // namespace trocar

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "common/geometry/flat_edges.h"
+#include "experiments/metrics/tool_points.h"
 
 namespace trocar {
 
@@ -10,7 +11,10 @@ JudgedTool::JudgedTool(const Tool& tool)
     : tool_(tool),
       surface_(tool.mesh),
       box_(bounding_box(tool.mesh.positions)),
-      flat_edges_(flat_edges(tool.mesh, Adjacency(tool.mesh.positions.size(), tool.mesh.facets))) {}
+      flat_edges_(flat_edges(tool.mesh, Adjacency(tool.mesh.positions.size(), tool.mesh.facets))),
+      winding_integral_(tool.mesh),
+      rays_(tool.mesh),
+      points_(tool_points(tool.mesh)) {}
 
 bool JudgedTool::crossed_by(const Corners& facet) const {
     const Box box = bounding_box(facet);

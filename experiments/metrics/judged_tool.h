@@ -6,6 +6,8 @@
 #include "common/geometry/predicates.h"
 #include "common/geometry/surface_queries.h"
 #include "common/tool/tool.h"
+#include "experiments/metrics/tool_rays.h"
+#include "experiments/metrics/winding_integral.h"
 
 namespace trocar {
 
@@ -30,11 +32,19 @@ class JudgedTool {
     /// Whether a facet with these corners crosses the tool's surface; exact, touching is not crossing.
     [[nodiscard]] bool crossed_by(const Corners& facet) const;
 
+    [[nodiscard]] const WindingIntegral& winding_integral() const { return winding_integral_; }
+    [[nodiscard]] const ToolRays& rays() const { return rays_; }
+    /// Of its surface; see tool_points.
+    [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
+
   private:
     const Tool& tool_;
     SurfaceQueries surface_;
     Box box_;
     std::vector<std::array<bool, 3>> flat_edges_;
+    WindingIntegral winding_integral_;
+    ToolRays rays_;
+    std::vector<Vec3> points_;
 };
 
 }  // namespace trocar

@@ -36,6 +36,8 @@ const std::vector<Metric>& all_metrics() {
         metrics::depth_max(),
         metrics::depth_mean(),
         metrics::facets_crossing(),
+        metrics::tool_points_inside(),
+        metrics::tool_volume_inside(),
         metrics::displacement_crossings(),
         metrics::flipped_facets(),
         metrics::spread(),

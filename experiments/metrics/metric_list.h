@@ -13,6 +13,8 @@ Metric vertices_inside();
 Metric depth_max();
 Metric depth_mean();
 Metric facets_crossing();
+Metric tool_points_inside();
+Metric tool_volume_inside();
 Metric displacement_crossings();
 Metric flipped_facets();
 Metric spread();
