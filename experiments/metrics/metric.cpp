@@ -31,9 +31,10 @@ std::set<std::string> names_in(std::string_view choice) {
 
 const std::vector<Metric>& all_metrics() {
     static const std::vector<Metric> metrics = {
-        metrics::collided_vertices(), metrics::vertices_inside(), metrics::depth_max(),
-        metrics::depth_mean(),        metrics::facets_crossing(), metrics::displacement_mean(),
-        metrics::displacement_max(),  metrics::flipped_facets(),  metrics::fallbacks(),
+        metrics::collided_vertices(), metrics::vertices_inside(),   metrics::depth_max(),
+        metrics::depth_mean(),        metrics::facets_crossing(),   metrics::tunnelled(),
+        metrics::tool_crossings(),    metrics::displacement_mean(), metrics::displacement_max(),
+        metrics::flipped_facets(),    metrics::fallbacks(),
     };
     return metrics;
 }

@@ -12,6 +12,8 @@ Metric vertices_inside();
 Metric depth_max();
 Metric depth_mean();
 Metric facets_crossing();
+Metric tunnelled();
+Metric tool_crossings();
 Metric displacement_mean();
 Metric displacement_max();
 Metric flipped_facets();
