@@ -33,6 +33,7 @@ struct Series {
     std::string units;
     std::string long_name;
     std::vector<double> values;
+    std::string missing;  ///< TEMP
 };
 
 /// A point as it is stored for replays, mm.
@@ -63,6 +64,7 @@ struct CaseRecord {
     std::vector<Cell> cells;   ///< of /cases, without case_id and build_id; in the order of the columns
     std::vector<double> time;  ///< end of each step, s
     std::vector<Series> series;
+    std::vector<std::vector<Cell>> states;
     std::optional<Replay> replay;
     std::vector<Cell> provenance;  ///< one row of /provenance
 };

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "common/cycle/check_response.h"
 
 namespace trocar {
 namespace {
@@ -16,28 +17,6 @@ std::int64_t timed(const Phase& phase) {
     phase();
     return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start)
         .count();
-}
-
-void demand_finite(const Vec3& value, Index vertex, const char* what) {
-    if (value.allFinite()) return;
-    throw std::runtime_error("the strategy answered a " + std::string(what) +
-                             " that is not finite for vertex " + std::to_string(vertex));
-}
-
-/// Throws when a vertex of `entries` does not exist or is named twice.
-template <typename Entry>
-void demand_distinct_vertices(const std::vector<Entry>& entries, std::size_t vertex_count, const char* what) {
-    std::vector<Index> vertices;
-    for (const Entry& entry : entries) vertices.push_back(entry.vertex);
-    std::ranges::sort(vertices);
-    if (!vertices.empty() && (vertices.front() < 0 || vertices.back() >= static_cast<Index>(vertex_count))) {
-        throw std::runtime_error("the strategy answered a " + std::string(what) +
-                                 " for a vertex that does not exist");
-    }
-    const auto twice = std::ranges::adjacent_find(vertices);
-    if (twice == vertices.end()) return;
-    throw std::runtime_error("the strategy answered more than one " + std::string(what) + " for vertex " +
-                             std::to_string(*twice));
 }
 
 }  // namespace
@@ -104,25 +83,8 @@ void Cycle::handle(const Handler& handler) {
         response_.clear();
         handler(contact, response_);
     });
-    check_response();
+    check_response(response_, state_.positions.size());
     apply_response();
-}
-
-void Cycle::check_response() const {
-    const std::size_t vertices = state_.positions.size();
-    demand_distinct_vertices(response_.displacements, vertices, "displacement");
-    demand_distinct_vertices(response_.forces, vertices, "force");
-    for (const auto& [vertex, displacement] : response_.displacements) {
-        demand_finite(displacement, vertex, "displacement");
-    }
-    for (const auto& [vertex, force] : response_.forces) demand_finite(force, vertex, "force");
-    for (const auto& [vertex, point, normal] : response_.half_spaces) {
-        if (vertex < 0 || vertex >= static_cast<Index>(vertices)) {
-            throw std::runtime_error("the strategy answered a half-space for a vertex that does not exist");
-        }
-        demand_finite(point, vertex, "half-space");
-        demand_finite(normal, vertex, "half-space");
-    }
 }
 
 void Cycle::apply_response() {

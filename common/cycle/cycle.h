@@ -58,8 +58,7 @@ class Cycle {
     /// Finds what collides with the tool where it is now.
     void detect();
     /// Asks `handler` for a response to what was detected and moves the vertices that it displaces.
-    /// Throws std::runtime_error when the answer is not finite, names a vertex that does not exist, or moves
-    /// or pushes a vertex twice.
+    /// Throws what check_response throws.
     void handle(const Handler& handler);
     /// Ends the step: the deformation moves all vertices that are not held.
     void deform();
@@ -78,7 +77,6 @@ class Cycle {
 
   private:
     void release_held();
-    void check_response() const;
     void apply_response();
 
     CycleSettings settings_;

@@ -94,6 +94,7 @@ void list_metrics() {
             if (moment == Moment::before) moments.emplace_back("before");
             if (moment == Moment::handled) moments.emplace_back("H");
             if (moment == Moment::deformed) moments.emplace_back("D");
+            if (moment == Moment::end) moments.emplace_back("end");
         }
         rows.push_back({metric.name, metric.units, fmt::format("{}", fmt::join(moments, ", ")), metric.better,
                         metric.definition});

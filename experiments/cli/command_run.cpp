@@ -2,6 +2,7 @@
 #include <chrono>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -39,6 +40,7 @@ struct RunOptions {
     std::vector<std::string> filters;
     bool dry_run = false;
     bool replay = false;
+    std::string metrics = "all";
 };
 
 void tell_findings(const Sweep& sweep) {
@@ -51,6 +53,14 @@ void tell_findings(const Sweep& sweep) {
         for (const Finding& finding : tool.findings) {
             fmt::print(stderr, "tool \"{}\": {}\n", tool.tool->name, describe(finding));
         }
+    }
+}
+
+std::vector<const Metric*> chosen(const std::string& metrics) {
+    try {
+        return choose_metrics(metrics);
+    } catch (const std::invalid_argument& error) {
+        throw InputError(fmt::format("--metrics {}: {}", metrics, error.what()));
     }
 }
 
@@ -68,7 +78,10 @@ RunRequest make_request(const RunOptions& options, const Sweep& sweep, const Pro
     if (suited_cases.cases.empty()) throw InputError("no case is left to run");
     request.cases = std::move(suited_cases.cases);
     request.jobs = options.jobs;
-    request.replay = options.replay;
+    request.options = {.replay = options.replay,
+                       .metrics = chosen(options.metrics),
+                       .same_state = sweep.same_state,
+                       .answering = sweep.strategies};
     request.build_id = build_id();
     request.arguments = program.arguments;
     return request;
@@ -154,6 +167,11 @@ void add_run(CLI::App& app, Program& program) {
         ->allow_extra_args(false);
     command->add_flag("--dry-run", options->dry_run,
                       "check everything and list the cases; run and write nothing");
+    command
+        ->add_option("--metrics", options->metrics,
+                     "what to measure: all, fast (what costs little), or names with commas between them; see "
+                     "trocar list metrics")
+        ->capture_default_str();
     command->add_flag("--replay", options->replay,
                       "store the organ at every step too (large); for snapshots");
     command->callback([options, &program] { program.exit_code = run(*options, program); });

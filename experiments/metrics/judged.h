@@ -31,6 +31,7 @@ class Judged {
     }
     /// The vertices strictly inside the tool before handling, ascending.
     [[nodiscard]] const std::vector<Index>& collided() const { return at(Moment::before).inside(); }
+    [[nodiscard]] bool collided(Index vertex) const { return at(Moment::before).is_inside(vertex); }
     /// How handling moved a vertex, mm.
     [[nodiscard]] Vec3 displacement(Index vertex) const {
         return at(Moment::handled).positions()[vertex] - at(Moment::before).positions()[vertex];

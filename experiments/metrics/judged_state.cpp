@@ -19,8 +19,11 @@ const std::vector<Vec3>& JudgedState::in_tool() const& {
 const std::vector<Index>& JudgedState::inside() const& {
     if (inside_) return *inside_;
     inside_.emplace();
-    for (std::size_t vertex = 0; vertex < in_tool().size(); ++vertex) {
-        if (tool_->contains(in_tool()[vertex])) inside_->push_back(static_cast<Index>(vertex));
+    is_inside_.assign(positions_.size(), false);
+    for (std::size_t vertex = 0; vertex < positions_.size(); ++vertex) {
+        if (!tool_->contains(in_tool()[vertex])) continue;
+        inside_->push_back(static_cast<Index>(vertex));
+        is_inside_[vertex] = true;
     }
     return *inside_;
 }
@@ -32,7 +35,10 @@ const std::vector<double>& JudgedState::depths() const& {
     return *depths_;
 }
 
-bool JudgedState::is_inside(Index vertex) const { return std::ranges::binary_search(inside(), vertex); }
+bool JudgedState::is_inside(Index vertex) const {
+    if (!inside_) static_cast<void>(inside());
+    return is_inside_[vertex];
+}
 
 const std::vector<Index>& JudgedState::crossing_facets() const& {
     if (crossing_facets_) return *crossing_facets_;

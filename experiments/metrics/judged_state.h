@@ -47,6 +47,7 @@ class JudgedState {
     Pose pose_;
     mutable std::optional<std::vector<Vec3>> in_tool_;
     mutable std::optional<std::vector<Index>> inside_;
+    mutable std::vector<bool> is_inside_;  // by vertex, once inside_ is there
     mutable std::optional<std::vector<double>> depths_;
     mutable std::optional<std::vector<Index>> crossing_facets_;
 };

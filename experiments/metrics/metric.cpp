@@ -31,16 +31,35 @@ std::set<std::string> names_in(std::string_view choice) {
 
 const std::vector<Metric>& all_metrics() {
     static const std::vector<Metric> metrics = {
-        metrics::collided_vertices(), metrics::vertices_inside(),   metrics::depth_max(),
-        metrics::depth_mean(),        metrics::facets_crossing(),   metrics::tunnelled(),
-        metrics::tool_crossings(),    metrics::displacement_mean(), metrics::displacement_max(),
-        metrics::flipped_facets(),    metrics::fallbacks(),
+        metrics::collided_vertices(),
+        metrics::vertices_inside(),
+        metrics::depth_max(),
+        metrics::depth_mean(),
+        metrics::facets_crossing(),
+        metrics::tunnelled(),
+        metrics::tool_crossings(),
+        metrics::displacement_crossings(),
+        metrics::flipped_facets(),
+        metrics::spread(),
+        metrics::edge_ratio_mean(),
+        metrics::edge_ratio_min(),
+        metrics::displacement_mean(),
+        metrics::displacement_max(),
+        metrics::gap_mean(),
+        metrics::gap_max(),
+        metrics::drag(),
+        metrics::strain(),
+        metrics::jitter(),
+        metrics::recovery(),
+        metrics::volume_change(),
+        metrics::fallbacks(),
     };
     return metrics;
 }
 
 std::vector<const Metric*> choose_metrics(std::string_view choice) {
     const bool all = choice == "all", fast = choice == "fast";
+    if (choice.empty()) throw std::invalid_argument("no metric is named");
     const std::set<std::string> names = all || fast ? std::set<std::string>{} : names_in(choice);
     std::vector<const Metric*> chosen;
     for (const Metric& metric : all_metrics()) {

@@ -24,6 +24,8 @@ std::string_view missing_reason(Missing missing) {
             return "empty region";
         case Missing::too_early:
             return "too early";
+        case Missing::no_answer:
+            return "no answer";
         case Missing::not_sampled:
             return "not sampled";
     }

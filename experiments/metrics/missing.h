@@ -18,6 +18,7 @@ enum class Missing : std::uint8_t {
     open_organ,           ///< the organ encloses no volume
     empty_region,         ///< no vertex of the organ at rest is near the tool's sweep
     too_early,            ///< there are no two steps before this one
+    no_answer,            ///< the strategy gave no answer that is one
     not_sampled,          ///< this step was not judged: steps come faster than the judge looks
 };
 

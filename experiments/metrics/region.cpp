@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -11,8 +13,8 @@
 namespace trocar {
 namespace {
 
-/// The furthest that a point of the tool goes between two poses is at most this, mm.
-double furthest(const Box& tool, const Pose& from, const Pose& to) {
+/// No point of the tool goes further than this between two poses, mm.
+double furthest_move(const Box& tool, const Pose& from, const Pose& to) {
     double longest = 0;
     for (int corner = 0; corner < 8; ++corner) {
         Vec3 point;
@@ -29,6 +31,42 @@ Pose between(const Pose& from, const Pose& to, double part) {
             .position = from.position + part * (to.position - from.position)};
 }
 
+/// Gathers the vertices that a tool comes near.
+class Sweep {
+  public:
+    Sweep(const Organ& organ, const Tool& tool)
+        : rest_(organ.rest.positions),
+          surface_(tool.mesh),
+          reach_(2 * tool.radius),
+          box_(bounding_box(tool.mesh.positions).grown(reach_)),
+          others_(rest_.size()) {
+        std::iota(others_.begin(), others_.end(), 0);
+    }
+
+    void look(const Pose& pose) {
+        std::erase_if(others_, [&](Index vertex) {
+            const Vec3 in_tool = judged_position(pose, rest_[vertex]);
+            const bool near = box_.contains(in_tool) &&
+                              (surface_.distance(in_tool) <= reach_ || surface_.contains(in_tool));
+            if (near) near_.push_back(vertex);
+            return near;
+        });
+    }
+
+    /// Ascending.
+    [[nodiscard]] std::vector<Index> near() {
+        std::ranges::sort(near_);
+        return near_;
+    }
+
+  private:
+    const std::vector<Vec3>& rest_;
+    SurfaceQueries surface_;
+    double reach_;
+    Box box_;
+    std::vector<Index> near_, others_;
+};
+
 }  // namespace
 
 Region region_of(const JudgedOrgan& organ, std::vector<Index> vertices) {
@@ -42,32 +80,20 @@ Region region_of(const JudgedOrgan& organ, std::vector<Index> vertices) {
     return region;
 }
 
-std::vector<Index> vertices_near_sweep(const Organ& organ, const Tool& tool, std::span<const Pose> poses) {
-    const SurfaceQueries surface(tool.mesh);
-    const Box box = bounding_box(tool.mesh.positions), reach = box.grown(2 * tool.radius);
-    const std::vector<Vec3>& rest = organ.rest.positions;
-    std::vector<Index> found;
-    std::vector<Index> others(rest.size());
-    for (std::size_t vertex = 0; vertex < rest.size(); ++vertex) others[vertex] = static_cast<Index>(vertex);
-    const auto look = [&](const Pose& pose) {
-        const auto near = [&](Index vertex) {
-            const Vec3 in_tool = judged_position(pose, rest[vertex]);
-            return reach.contains(in_tool) &&
-                   (surface.distance(in_tool) <= 2 * tool.radius || surface.contains(in_tool));
-        };
-        const auto far_end = std::partition(others.begin(), others.end(), [&](Index v) { return !near(v); });
-        found.insert(found.end(), far_end, others.end());
-        others.erase(far_end, others.end());
-    };
-    for (std::size_t k = 0; k < poses.size(); ++k) {
-        const Pose& from = poses[k == 0 ? 0 : k - 1];
-        const int parts =
-            std::max(1, static_cast<int>(std::ceil(furthest(box, from, poses[k]) / (tool.radius / 4))));
-        if (k > 0 && from.position == poses[k].position && from.rotation == poses[k].rotation) continue;
-        for (int part = 1; part <= parts; ++part) look(between(from, poses[k], double(part) / parts));
+std::vector<Index> vertices_near_sweep(const Organ& organ, const Tool& tool, const Pose& start,
+                                       std::span<const Pose> poses) {
+    Sweep sweep(organ, tool);
+    sweep.look(start);
+    Pose last = start;
+    for (const Pose& pose : poses) {
+        const double furthest = furthest_move(bounding_box(tool.mesh.positions), last, pose);
+        const int parts = static_cast<int>(std::ceil(furthest / (tool.radius / 4)));
+        for (int part = 1; part <= parts; ++part) {
+            sweep.look(between(last, pose, static_cast<double>(part) / parts));
+        }
+        last = pose;
     }
-    std::ranges::sort(found);
-    return found;
+    return sweep.near();
 }
 
 }  // namespace trocar

@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <limits>
 #include <new>
 #include <span>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "experiments/metrics/metric.h"
+#include "experiments/metrics/judge.h"
 #include "experiments/run/case_series.h"
 #include "experiments/run/figures.h"
 #include "experiments/run/replay_recorder.h"
+#include "experiments/run/same_state.h"
 #include "experiments/scenes/scene.h"
 
 namespace trocar {
@@ -32,7 +35,9 @@ struct Outcome {
 /// What a case gathers while it runs.
 struct Gathered {
     std::vector<bool> window;
-    CaseSeries series = empty_series();
+    CaseSeries series;
+    std::vector<Measured> at_end;  ///< of the metrics that have a value at Moment::end
+    std::vector<std::vector<Cell>> states;
     std::optional<Replay> replay;
 };
 
@@ -46,12 +51,21 @@ std::string divergence(const Organ& organ, std::span<const Vec3> positions, doub
     return {};
 }
 
+JudgeSettings judge_settings(const CaseInputs& inputs, const PreparedScene& scene,
+                             const CaseOptions& options) {
+    return {.metrics = options.metrics,
+            .region = region_of(*inputs.organ.judged, scene.region),
+            .every = sampled_every(inputs.cycle.rate)};
+}
+
 Outcome run_steps(const CaseInputs& inputs, const PreparedScene& scene, Strategy& strategy,
-                  Gathered& gathered, const std::stop_token& stop) {
+                  const CaseOptions& options, Gathered& gathered, const std::stop_token& stop) {
     const Organ& organ = *inputs.organ.organ;
     const double limit = diverged_diagonals * bounding_box(organ.rest.positions).size().norm();
     Cycle cycle(organ, *inputs.tool.tool, scene.start, inputs.cycle, inputs.springs);
-    Judge judge(organ, *inputs.tool.tool);
+    Judge judge({*inputs.organ.judged, *inputs.tool.judged, cycle.positions(), cycle.tool().pose()},
+                judge_settings(inputs, scene, options));
+    StateSampler sampler(inputs.case_id, options.same_state);
     const Handler handler = [&](const Contact& contact, Response& response) {
         strategy.handle(contact, response);
     };
@@ -59,25 +73,30 @@ Outcome run_steps(const CaseInputs& inputs, const PreparedScene& scene, Strategy
         if (stop.stop_requested()) return {.status = CaseStatus::complete, .reason = {}, .stopped = true};
         cycle.move(scene.poses[step]);
         cycle.detect();
-        judge.before(cycle);
+        judge.before(cycle.positions(), cycle.tool().pose());
         if (gathered.replay) record_detected(*gathered.replay, cycle);
         cycle.handle(handler);
-        judge.handled(cycle);
+        judge.handled(cycle.positions(), cycle.response().fallbacks);
         if (gathered.replay) record_handled(*gathered.replay, cycle);
+        if (scene.window[step] && !cycle.detected().collided.empty()) {
+            sampler.offer(step, cycle, judge.step());
+        }
         cycle.deform();
         if (const std::string reason = divergence(organ, cycle.positions(), limit); !reason.empty()) {
             return {.status = CaseStatus::diverged, .reason = fmt::format("step {}: {}", step, reason)};
         }
-        judge.deformed(cycle);
+        judge.deformed(cycle.positions());
         if (gathered.replay) record_deformed(*gathered.replay, cycle);
         append_step(gathered.series, judge.values(), cycle.times(), scene.window[step]);
     }
+    gathered.at_end = judge.values_at_end();
+    gathered.states = compare_on(std::move(sampler).kept(), options, inputs.strategy.label, inputs.cycle);
     return {};
 }
 
 /// Runs the scene; turns whatever is thrown into a status.
 Outcome run_contained(const CaseInputs& inputs, const SceneSource& scene_of, Strategy& strategy,
-                      Gathered& gathered, const std::stop_token& stop) {
+                      const CaseOptions& options, Gathered& gathered, const std::stop_token& stop) {
     const auto failed = [&](std::string_view reason) {
         return Outcome{.status = CaseStatus::failed,
                        .reason = fmt::format("step {}: {}", gathered.series.steps(), reason)};
@@ -85,7 +104,7 @@ Outcome run_contained(const CaseInputs& inputs, const SceneSource& scene_of, Str
     try {
         const std::shared_ptr<const PreparedScene> scene = scene_of(inputs);
         gathered.window = scene->window;
-        return run_steps(inputs, *scene, strategy, gathered, stop);
+        return run_steps(inputs, *scene, strategy, options, gathered, stop);
     } catch (const PlacementError& error) {
         return {.status = CaseStatus::failed, .reason = error.what()};
     } catch (const std::bad_alloc&) {
@@ -125,8 +144,35 @@ std::vector<Cell> outcome_cells(const Outcome& outcome, double wall_s) {
     };
 }
 
-std::vector<Cell> figure_cells(const Gathered& gathered, CaseStatus status) {
+/// How the case was judged.
+std::vector<Cell> judging_cells(const CaseInputs& inputs, const CaseOptions& options,
+                                const Gathered& gathered) {
+    const auto counted = std::ranges::count(gathered.window, true);
+    return {
+        {"metrics", "", "metrics that were taken", metric_names(options.metrics)},
+        {"judged_rate", "Hz", "how often they were taken",
+         inputs.cycle.rate / sampled_every(inputs.cycle.rate)},
+        {"window_steps", "1", "steps over which figures are taken", static_cast<std::int64_t>(counted)},
+        {"missing", "", "steps of them without a value: for each series and reason how many, as JSON",
+         missing_in_window(gathered.series)},
+    };
+}
+
+/// One for each metric that is taken at the end, whether the case came so far or not.
+std::vector<Cell> end_figures(const CaseOptions& options, const std::vector<Measured>& values) {
+    std::vector<Cell> cells;
+    for (const Metric* metric : options.metrics) {
+        if (metric->moments != std::vector{Moment::end}) continue;
+        cells.push_back(
+            {metric->name + "_final", metric->units, metric->definition,
+             values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[cells.size()].value});
+    }
+    return cells;
+}
+
+std::vector<Cell> figure_cells(const CaseOptions& options, const Gathered& gathered, CaseStatus status) {
     std::vector<Cell> figures = metric_figures(gathered.series.metrics, gathered.window);
+    std::ranges::move(end_figures(options, gathered.at_end), std::back_inserter(figures));
     std::ranges::move(time_figures(gathered.series.times, gathered.window), std::back_inserter(figures));
     if (status != CaseStatus::complete) clear_figures(figures);
     return figures;
@@ -138,21 +184,30 @@ void add_steps(CaseRecord& record, Gathered&& gathered, double dt) {
     const std::size_t steps = gathered.series.steps();
     for (std::size_t step = 0; step < steps; ++step)
         record.time.push_back(static_cast<double>(step + 1) * dt);
+    note_missing(gathered.series);
     record.series = std::move(gathered.series.metrics);
     std::ranges::move(gathered.series.times, std::back_inserter(record.series));
     record.series.push_back(std::move(gathered.series.window));
+    record.states = std::move(gathered.states);
     record.replay = std::move(gathered.replay);
     if (record.replay) record.replay->steps.resize(steps);
 }
 
 }  // namespace
 
+std::string metric_names(const std::vector<const Metric*>& metrics) {
+    std::vector<std::string_view> names;
+    for (const Metric* metric : metrics) names.push_back(metric->name);
+    return fmt::format("{}", fmt::join(names, ","));
+}
+
 std::optional<CaseRecord> run_case(const CaseInputs& inputs, const SceneSource& scene_of, Strategy& strategy,
-                                   bool with_replay, const std::stop_token& stop) {
+                                   const CaseOptions& options, const std::stop_token& stop) {
     const auto started = Clock::now();
-    Gathered gathered;
-    if (with_replay) gathered.replay = empty_replay(*inputs.organ.organ, *inputs.tool.tool);
-    const Outcome outcome = run_contained(inputs, scene_of, strategy, gathered, stop);
+    Gathered gathered{
+        .window = {}, .series = empty_series(options.metrics), .at_end = {}, .states = {}, .replay = {}};
+    if (options.replay) gathered.replay = empty_replay(*inputs.organ.organ, *inputs.tool.tool);
+    const Outcome outcome = run_contained(inputs, scene_of, strategy, options, gathered, stop);
     if (outcome.stopped) return std::nullopt;
     const std::chrono::duration<double> wall = Clock::now() - started;
 
@@ -160,7 +215,8 @@ std::optional<CaseRecord> run_case(const CaseInputs& inputs, const SceneSource& 
     record.case_id = inputs.case_id;
     record.cells = identifying_cells(inputs);
     std::ranges::move(outcome_cells(outcome, wall.count()), std::back_inserter(record.cells));
-    std::ranges::move(figure_cells(gathered, outcome.status), std::back_inserter(record.cells));
+    std::ranges::move(judging_cells(inputs, options, gathered), std::back_inserter(record.cells));
+    std::ranges::move(figure_cells(options, gathered, outcome.status), std::back_inserter(record.cells));
     add_steps(record, std::move(gathered), inputs.cycle.dt());
     return record;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "experiments/run/case_options.h"
 #include "experiments/scenes/prepared_scene.h"
 #include "experiments/sweep/cases.h"
 #include "results/record.h"
@@ -19,9 +20,10 @@ using SceneSource = std::function<std::shared_ptr<const PreparedScene>(const Cas
 /// in it is contained: an answer that is no answer, or a seed without a place, gives the status `failed`, an
 /// organ that flies apart `diverged`, each with a reason; then the figures are NaN and the series hold the
 /// steps before. The record's provenance and build_id are left to the caller.
+/// What the options ask for besides (replay, same-state comparison) happens after the run or beside it.
 /// @param strategy a fresh instance of the one that the inputs name
 /// @returns nothing when `stop` was requested before the last step.
 std::optional<CaseRecord> run_case(const CaseInputs& inputs, const SceneSource& scene_of, Strategy& strategy,
-                                   bool with_replay, const std::stop_token& stop);
+                                   const CaseOptions& options, const std::stop_token& stop);
 
 }  // namespace trocar

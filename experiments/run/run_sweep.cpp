@@ -23,7 +23,7 @@ namespace {
 bool is_done(const DoneCases& done, const CaseInputs& inputs, const RunRequest& request) {
     const auto found = done.find(inputs.case_id);
     return found != done.end() && found->second.build_id == request.build_id &&
-           (found->second.has_replay || !request.replay);
+           (found->second.has_replay || !request.options.replay);
 }
 
 std::vector<CaseInputs> pending_of(const RunRequest& request, const DoneCases& done) {
@@ -113,7 +113,7 @@ RunOutcome run_sweep(const RunRequest& request,
                       const std::string start = now_utc();
                       const auto strategy = make_strategy(inputs.strategy.name, inputs.strategy.options);
                       std::optional<CaseRecord> record =
-                          run_case(inputs, scene_of, *strategy, request.replay, stop_case);
+                          run_case(inputs, scene_of, *strategy, request.options, stop_case);
                       if (!record) return;
                       const std::filesystem::path file = parts.path() / (inputs.case_id + ".h5");
                       store_case(*record, request, file, start);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/run/case_options.h"
 #include "experiments/sweep/cases.h"
 #include "results/record.h"
 
@@ -19,7 +20,7 @@ struct RunRequest {
     std::vector<std::string> case_order;  ///< ids of all cases of the sweep
     std::vector<CaseInputs> cases;        ///< those of them that are asked for
     unsigned jobs = 1;                    ///< cases that run at once
-    bool replay = false;
+    CaseOptions options;
     std::string build_id;                ///< results of another build are run again
     std::vector<std::string> arguments;  ///< the command line, for the provenance
 };

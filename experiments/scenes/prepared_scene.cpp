@@ -1,5 +1,8 @@
 #include "experiments/scenes/prepared_scene.h"
 
+#include <utility>
+
+#include "experiments/metrics/region.h"
 #include "experiments/scenes/reference_state.h"
 #include "experiments/scenes/window.h"
 
@@ -13,10 +16,12 @@ PreparedScene prepare_scene(const SceneEntry& scene, const SceneInputs& inputs, 
                            ? reference_state(inputs, plan.start, *plan.insertion, clearance, springs)
                            : start_at_rest(inputs.organ, plan.start);
     std::vector<bool> window = window_of(inputs, plan.poses);
+    std::vector<Index> region = vertices_near_sweep(inputs.organ, inputs.tool, plan.start, plan.poses);
     return {.placement = placement,
             .start = std::move(start),
             .poses = std::move(plan.poses),
-            .window = std::move(window)};
+            .window = std::move(window),
+            .region = std::move(region)};
 }
 
 }  // namespace trocar

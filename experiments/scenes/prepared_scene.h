@@ -13,6 +13,7 @@ struct PreparedScene {
     CycleStart start;
     std::vector<Pose> poses;   ///< of the tool at the end of each step
     std::vector<bool> window;  ///< per step: the tool at its pose meets the organ at rest, so the step counts
+    std::vector<Index> region;  ///< vertices that at rest are near the tool's sweep, ascending
 };
 
 /// Places a scene, lays it out, and brings the organ to the state it starts from. Throws PlacementError, and

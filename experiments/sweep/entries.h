@@ -24,6 +24,9 @@ ToolChoice read_tool_entry(const ConfigValue& entry, const std::filesystem::path
 ToolChoice read_tool_file(const ConfigTable& table, const ConfigValue& file, Place place,
                           const std::filesystem::path& folder);
 
+/// A tool, prepared for a sweep.
+ToolChoice tool_choice(std::string identity, Tool&& tool, std::vector<Finding> findings);
+
 /// The path that the text under a key `file` names; the file exists.
 std::filesystem::path mesh_file(const ConfigValue& file, const std::filesystem::path& folder);
 
@@ -35,6 +38,8 @@ SceneChoice read_scene_entry(const ConfigValue& entry, const std::filesystem::pa
 CycleSettings read_cycle(const ConfigTable& table);
 /// The release of [cycle]: one word, or a list of them; without the key the default one.
 std::vector<Release> read_releases(const ConfigTable& cycle);
+/// How many states of each run `same_state` of [compare] asks for; 0 where the table has none.
+int read_same_state(const ConfigTable& compare);
 /// The settings of [deformation], with defaults where the table has none.
 SpringSettings read_springs(const ConfigTable& table);
 

@@ -18,6 +18,7 @@ OrganChoice make_choice(std::string identity, Organ&& organ, std::vector<Finding
     return {.identity = std::move(identity),
             .organ = shared,
             .queries = std::make_shared<const SurfaceQueries>(shared->rest),
+            .judged = std::make_shared<const JudgedOrgan>(*shared),
             .findings = std::move(findings)};
 }
 

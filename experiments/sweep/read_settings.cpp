@@ -60,6 +60,18 @@ std::vector<Release> read_releases(const ConfigTable& cycle) {
     return releases;
 }
 
+int read_same_state(const ConfigTable& compare) {
+    static const std::array<std::string, 1> keys{"same_state"};
+    check_keys(compare, "key of [compare]", keys);
+    const ConfigValue* value = find(compare, "same_state");
+    if (value == nullptr) return 0;
+    const std::int64_t states = as_whole_number(*value, "same_state");
+    if (states < 0 || states > 1000) {
+        throw PlacedError(value->place, fmt::format("same_state must be from 0 to 1000, not {}", states));
+    }
+    return static_cast<int>(states);
+}
+
 SpringSettings read_springs(const ConfigTable& table) {
     static const std::array<std::string, 5> keys{"density", "edge_stiffness", "rest_stiffness", "damping",
                                                  "substeps"};

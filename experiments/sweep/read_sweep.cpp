@@ -79,8 +79,8 @@ void check_labels(const ConfigTable& table, const std::vector<StrategyChoice>& s
 }
 
 Sweep read_tables(const ConfigTable& table, std::string text, const std::filesystem::path& folder) {
-    static const std::array<std::string, 9> keys{"name",   "strategies", "organs", "tools",      "scenes",
-                                                 "speeds", "seeds",      "cycle",  "deformation"};
+    static const std::array<std::string, 10> keys{"name",   "strategies", "organs", "tools",       "scenes",
+                                                  "speeds", "seeds",      "cycle",  "deformation", "compare"};
     static const ConfigTable no_table;
     check_keys(table, "key", keys);
     Sweep sweep;
@@ -103,6 +103,9 @@ Sweep read_tables(const ConfigTable& table, std::string text, const std::filesys
     sweep.releases = read_releases(cycle);
     if (const ConfigValue* springs = find(table, "deformation")) {
         sweep.springs = read_springs(as_table(*springs, "deformation"));
+    }
+    if (const ConfigValue* compare = find(table, "compare")) {
+        sweep.same_state = read_same_state(as_table(*compare, "compare"));
     }
     sweep.tools = read_list(table, "tools", tool_of, [](const ToolChoice& one) { return one.tool->name; });
     sweep.organs =

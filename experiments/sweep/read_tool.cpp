@@ -88,9 +88,7 @@ constexpr std::array shapes{Shape{"prism", read_prism}, Shape{"pointed-prism", r
 
 ToolChoice by_formula(Tool&& tool) {
     std::string identity = tool.name;
-    return {.identity = std::move(identity),
-            .tool = std::make_shared<const Tool>(std::move(tool)),
-            .findings = {}};
+    return tool_choice(std::move(identity), std::move(tool), {});
 }
 
 ToolChoice from_shape(const ConfigTable& table, const ConfigValue& shape, Place place) {
@@ -117,6 +115,14 @@ ToolChoice from_name(const ConfigValue& entry) {
 }
 
 }  // namespace
+
+ToolChoice tool_choice(std::string identity, Tool&& tool, std::vector<Finding> findings) {
+    auto shared = std::make_shared<const Tool>(std::move(tool));
+    return {.identity = std::move(identity),
+            .tool = shared,
+            .judged = std::make_shared<const JudgedTool>(*shared),
+            .findings = std::move(findings)};
+}
 
 ToolChoice read_tool_entry(const ConfigValue& entry, const std::filesystem::path& folder) {
     const auto* table = std::get_if<ConfigTable>(&entry.content);

@@ -47,9 +47,7 @@ ToolChoice read_tool_file(const ConfigTable& table, const ConfigValue& file_valu
         fmt::format("{}, axis {}, tip {}, size {}", hash_of_file(file), text(placement.axis),
                     placement.tip ? text(*placement.tip) : "at the lowest point",
                     placement.size ? fmt::format("{}", *placement.size) : "as it is");
-    return {.identity = std::move(identity),
-            .tool = std::make_shared<const Tool>(std::move(input.tool)),
-            .findings = std::move(input.findings)};
+    return tool_choice(std::move(identity), std::move(input.tool), std::move(input.findings));
 }
 
 }  // namespace trocar

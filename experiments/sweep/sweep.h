@@ -12,6 +12,8 @@
 #include "common/geometry/organ.h"
 #include "common/geometry/surface_queries.h"
 #include "common/tool/tool.h"
+#include "experiments/metrics/judged_organ.h"
+#include "experiments/metrics/judged_tool.h"
 #include "experiments/scenes/scene.h"
 #include "strategies/options.h"
 
@@ -31,6 +33,7 @@ struct OrganChoice {
     std::string identity;
     std::shared_ptr<const Organ> organ;
     std::shared_ptr<const SurfaceQueries> queries;  ///< of `organ` at rest
+    std::shared_ptr<const JudgedOrgan> judged;      ///< `organ` as the metrics see it
     std::vector<Finding> findings;  ///< what was mended in a mesh file, and what is worth knowing
 };
 
@@ -40,7 +43,8 @@ struct ToolChoice {
     /// with how it is turned, placed and scaled.
     std::string identity;
     std::shared_ptr<const Tool> tool;
-    std::vector<Finding> findings;  ///< as of an organ
+    std::shared_ptr<const JudgedTool> judged;  ///< `tool` as the metrics see it
+    std::vector<Finding> findings;             ///< as of an organ
 };
 
 /// A scene as a sweep names it, with its recording loaded.
@@ -66,6 +70,7 @@ struct Sweep {
     CycleSettings cycle;               ///< but for the release
     std::vector<Release> releases;
     SpringSettings springs;
+    int same_state = 0;  ///< states of each run that are handed to every strategy
 };
 
 /// Reads a sweep file (TOML; README.md of this folder lists the keys) and loads the organs and tools it

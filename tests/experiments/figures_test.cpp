@@ -19,8 +19,11 @@ double figure(const std::vector<Cell>& cells, std::string_view name) {
 }
 
 std::vector<Cell> metric_figures_of(std::vector<double> values, const std::vector<bool>& window) {
-    const std::vector<Series> series{
-        {.name = "depth_max_d", .units = "mm", .long_name = "depth", .values = std::move(values)}};
+    const std::vector<Series> series{{.name = "depth_max_d",
+                                      .units = "mm",
+                                      .long_name = "depth",
+                                      .values = std::move(values),
+                                      .missing = {}}};
     return metric_figures(series, window);
 }
 
@@ -51,8 +54,11 @@ TEST(MetricFigures, WithoutAnyValueThereIsNone) {
 
 std::vector<Cell> time_figures_of(std::string name, std::vector<double> values) {
     const std::vector<bool> window(values.size(), true);
-    const std::vector<Series> series{
-        {.name = std::move(name), .units = "ns", .long_name = "time", .values = std::move(values)}};
+    const std::vector<Series> series{{.name = std::move(name),
+                                      .units = "ns",
+                                      .long_name = "time",
+                                      .values = std::move(values),
+                                      .missing = {}}};
     return time_figures(series, window);
 }
 

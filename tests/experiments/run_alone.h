@@ -15,7 +15,9 @@ inline std::optional<CaseRecord> run_alone(const CaseInputs& inputs, Strategy& s
     const SceneSource scene_of = [](const CaseInputs& of) {
         return std::make_shared<const PreparedScene>(prepare_scene_of(of));
     };
-    return run_case(inputs, scene_of, strategy, with_replay, stop);
+    CaseOptions options;
+    options.replay = with_replay;
+    return run_case(inputs, scene_of, strategy, options, stop);
 }
 
 /// The same with the strategy that the inputs name.

@@ -1,0 +1,50 @@
+#include <algorithm>
+#include <numeric>
+
+#include "experiments/metrics/judged.h"
+#include "experiments/metrics/metric_list.h"
+
+namespace trocar::metrics {
+namespace {
+
+/// Length over length at rest of every edge with a collided end.
+std::vector<double> ratios(const Judged& step, Moment moment) {
+    const auto& positions = step.at(moment).positions();
+    const auto edges = step.organ().edges();
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+        const auto& [a, b] = edges[k];
+        if (!step.collided(a) && !step.collided(b)) continue;
+        ratios.push_back((positions[a] - positions[b]).norm() / step.organ().rest_lengths()[k]);
+    }
+    return ratios;
+}
+
+}  // namespace
+
+Metric edge_ratio_mean() {
+    return {.name = "edge_ratio_mean",
+            .units = "1",
+            .definition = "mean length over length at rest of the edges with a collided end: low is bunched",
+            .better = "high",
+            .moments = {Moment::handled, Moment::deformed},
+            .value = [](const Judged& step, Moment moment) -> Measured {
+                const std::vector<double> all = ratios(step, moment);
+                if (all.empty()) return Missing::no_edge_collided;
+                return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+            }};
+}
+
+Metric edge_ratio_min() {
+    return {.name = "edge_ratio_min",
+            .units = "1",
+            .definition = "least length over length at rest of an edge with a collided end: low is bunched",
+            .better = "high",
+            .moments = {Moment::handled, Moment::deformed},
+            .value = [](const Judged& step, Moment moment) -> Measured {
+                const std::vector<double> all = ratios(step, moment);
+                return all.empty() ? Measured(Missing::no_edge_collided) : std::ranges::min(all);
+            }};
+}
+
+}  // namespace trocar::metrics

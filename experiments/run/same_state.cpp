@@ -1,0 +1,130 @@
+#include "experiments/run/same_state.h"
+
+#include <algorithm>
+#include <charconv>
+#include <exception>
+#include <iterator>
+#include <utility>
+
+#include "common/cycle/check_response.h"
+#include "experiments/run/case_series.h"
+#include "experiments/scenes/draws.h"
+#include "strategies/registry.h"
+
+namespace trocar {
+namespace {
+
+/// The first 64 bits of a hash.
+std::uint64_t leading_bits(const std::string& hash) {
+    std::uint64_t bits = 0;
+    std::from_chars(hash.data(), hash.data() + std::min<std::size_t>(hash.size(), 16), bits, 16);
+    return bits;
+}
+
+/// The positions of the state once the strategy has handled it. Throws what the strategy throws, and what
+/// check_response throws.
+std::vector<Vec3> handle(const FoundState& state, Strategy& strategy, const CycleSettings& cycle,
+                         Response& response) {
+    const JudgedState& before = state.judged.at(Moment::before);
+    const PlacedTool tool(before.tool().tool(), before.pose());
+    std::vector<Vec3> positions = before.positions();
+    strategy.handle({.organ = before.organ().organ(),
+                     .positions = before.positions(),
+                     .velocities = state.velocities,
+                     .tool = tool,
+                     .motion = state.motion,
+                     .collided = state.detected.collided,
+                     .crossed = state.detected.crossed,
+                     .near_vertices = state.detected.near_vertices,
+                     .near_facets = state.detected.near_facets,
+                     .clearance = cycle.clearance,
+                     .dt = cycle.dt()},
+                    response);
+    check_response(response, positions.size());
+    for (const auto& [vertex, displacement] : response.displacements) positions[vertex] += displacement;
+    return positions;
+}
+
+/// What the strategy makes of the state. Throws what `handle` throws.
+Judged answer_of(const FoundState& state, const StrategyChoice& choice, const std::string& own,
+                 const CycleSettings& cycle) {
+    Judged judged = state.judged;
+    if (choice.label == own) return judged;
+    const auto strategy = make_strategy(choice.name, choice.options);
+    Response response;
+    const std::vector<Vec3> positions = handle(state, *strategy, cycle, response);
+    judged.handled.emplace(judged.organ(), judged.tool(), positions, judged.at(Moment::before).pose());
+    judged.fallbacks = response.fallbacks;
+    return judged;
+}
+
+std::vector<Cell> row(const FoundState& state, const StrategyChoice& choice, const CaseOptions& options,
+                      const std::string& own, const CycleSettings& cycle) {
+    const std::vector<Reading> readings = handled_readings(options.metrics);
+    std::vector<Measured> values(readings.size(), Missing::no_answer);
+    std::string reason;
+    try {
+        values = values_of(readings, answer_of(state, choice, own, cycle));
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
+        reason = error.what();
+    } catch (...) {
+        reason = "the strategy threw something that is no std::exception";
+    }
+    std::vector<Cell> cells{
+        {"step", "1", "step of the run, from 0", static_cast<std::int64_t>(state.step)},
+        {"strategy", "", "strategy that answered", choice.name},
+        {"label", "", "its label in tables and figures", choice.label},
+        {"reason", "", "why it gave no answer, where it did not", reason},
+    };
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const auto& [metric, moment] = readings[k];
+        cells.push_back(
+            {series_name(*metric, moment), metric->units, reading_long_name(readings[k]), values[k].value});
+    }
+    return cells;
+}
+
+}  // namespace
+
+StateSampler::StateSampler(const std::string& case_id, int states)
+    : seed_(leading_bits(case_id)), most_(static_cast<std::size_t>(states)) {}
+
+void StateSampler::offer(std::size_t step, const Cycle& cycle, const Judged& judged) {
+    if (most_ == 0) return;
+    const std::uint64_t place =
+        kept_.size() < most_
+            ? kept_.size()
+            : static_cast<std::uint64_t>(draw(seed_, offered_)[0] * static_cast<double>(offered_ + 1));
+    ++offered_;
+    if (place >= most_) return;
+    if (place == kept_.size()) kept_.emplace_back();
+    kept_[place] = std::make_unique<FoundState>(
+        FoundState{.step = step,
+                   .judged = judged,
+                   .velocities = {cycle.velocities().begin(), cycle.velocities().end()},
+                   .motion = cycle.motion(),
+                   .detected = cycle.detected()});
+}
+
+std::vector<FoundState> StateSampler::kept() && {
+    std::ranges::sort(kept_, {}, [](const auto& state) { return state->step; });
+    std::vector<FoundState> states;
+    states.reserve(kept_.size());
+    for (auto& state : kept_) states.push_back(std::move(*state));
+    return states;
+}
+
+std::vector<std::vector<Cell>> compare_on(const std::vector<FoundState>& states, const CaseOptions& options,
+                                          const std::string& own, const CycleSettings& cycle) {
+    std::vector<std::vector<Cell>> rows;
+    for (const FoundState& state : states) {
+        for (const StrategyChoice& choice : options.answering) {
+            rows.push_back(row(state, choice, options, own, cycle));
+        }
+    }
+    return rows;
+}
+
+}  // namespace trocar
