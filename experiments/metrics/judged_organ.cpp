@@ -1,5 +1,7 @@
 #include "experiments/metrics/judged_organ.h"
 
+#include "experiments/metrics/self_intersections.h"
+
 namespace trocar {
 
 JudgedOrgan::JudgedOrgan(const Organ& organ)
@@ -11,6 +13,13 @@ JudgedOrgan::JudgedOrgan(const Organ& organ)
         for (const Index vertex : facet) vertex_normals_[vertex] += area_vector;
     }
     for (Vec3& normal : vertex_normals_) normal.stableNormalize();
+}
+
+JudgedOrgan::~JudgedOrgan() = default;
+
+const SelfIntersections& JudgedOrgan::self_intersections() const {
+    std::call_once(once_, [&] { self_intersections_ = std::make_unique<const SelfIntersections>(organ_); });
+    return *self_intersections_;
 }
 
 }  // namespace trocar

@@ -1,16 +1,23 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "common/geometry/organ.h"
 
 namespace trocar {
 
+class SelfIntersections;
+
 /// What the metrics know of an organ at rest; prepared once, safe to share between threads.
 class JudgedOrgan {
   public:
     /// The organ must outlive it.
     explicit JudgedOrgan(const Organ& organ);
+    ~JudgedOrgan();
+    JudgedOrgan(const JudgedOrgan&) = delete;
+    JudgedOrgan& operator=(const JudgedOrgan&) = delete;
 
     [[nodiscard]] const Organ& organ() const { return organ_; }
     [[nodiscard]] const SurfaceMesh& rest() const { return organ_.rest; }
@@ -23,10 +30,15 @@ class JudgedOrgan {
     /// Of each vertex at rest, outer, of unit length: the mean of its facets' normals by their areas.
     [[nodiscard]] const std::vector<Vec3>& vertex_normals() const { return vertex_normals_; }
 
+    /// Prepared when it is first asked for, which takes longer than all else.
+    [[nodiscard]] const SelfIntersections& self_intersections() const;
+
   private:
     const Organ& organ_;
     std::vector<double> rest_lengths_;
     std::vector<Vec3> vertex_normals_;
+    mutable std::once_flag once_;
+    mutable std::unique_ptr<const SelfIntersections> self_intersections_;
 };
 
 }  // namespace trocar

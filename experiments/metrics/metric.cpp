@@ -40,6 +40,7 @@ const std::vector<Metric>& all_metrics() {
         metrics::tool_crossings(),
         metrics::displacement_crossings(),
         metrics::flipped_facets(),
+        metrics::self_crossings(),
         metrics::spread(),
         metrics::edge_ratio_mean(),
         metrics::edge_ratio_min(),

@@ -17,6 +17,7 @@ Metric tunnelled();
 Metric tool_crossings();
 Metric displacement_crossings();
 Metric flipped_facets();
+Metric self_crossings();
 Metric spread();
 Metric edge_ratio_mean();
 Metric edge_ratio_min();
