@@ -2,6 +2,8 @@
 
 #include <set>
 
+#include "experiments/metrics/self_intersections.h"
+
 namespace trocar {
 namespace {
 
@@ -27,6 +29,13 @@ JudgedOrgan::JudgedOrgan(const Organ& organ)
     }
     for (Vec3& normal : vertex_normals_) normal.stableNormalize();
     if (!organ.adjacency.closed()) border_ = border_of(facets());
+}
+
+JudgedOrgan::~JudgedOrgan() = default;
+
+const SelfIntersections& JudgedOrgan::self_intersections() const {
+    std::call_once(once_, [&] { self_intersections_ = std::make_unique<const SelfIntersections>(organ_); });
+    return *self_intersections_;
 }
 
 }  // namespace trocar
