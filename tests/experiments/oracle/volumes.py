@@ -1,0 +1,115 @@
+"""Metrics of what of the tool is in the organ: points of its surface, and its volume, both by sampling.
+
+Inside is where the organ's winding number is at least 1. The samples are the oracle's own: it shares nothing with the
+program's judge.
+"""
+
+import numpy as np
+
+from . import geometry
+from .case import closed_beneath
+
+DENSITY = 8  # samples a mm² of the tool's surface
+CELLS = 16000  # of the box in which tool and organ overlap
+VOLUME_STEPS = 6  # of a case
+
+
+def surface_points(tool, generator):
+    """Points spread evenly over the facets, each of which is cut into equal strips with one point in every strip."""
+    points = []
+    for a, b, c in tool:
+        count = int(np.ceil(DENSITY * np.linalg.norm(np.cross(b - a, c - a)) / 2))
+        u = np.sqrt((np.arange(count) + generator.random(count)) / count)  # of the way from a to the side b c
+        v = (np.arange(count) * 0.6180339887 + generator.random()) % 1
+        points.append(a + (u * (1 - v))[:, None] * (b - a) + (u * v)[:, None] * (c - a))
+    return np.concatenate(points)
+
+
+class Sampler:
+    def __init__(self, case, generator):
+        self.case = case
+        self.generator = generator
+        self.points = surface_points(case.tool, generator)
+        self.area = geometry.length(geometry.area_vectors(case.tool)).sum() / 2
+        self.skew = generator.normal(size=3) * 0.2 + [0, 0, 1]  # of the rays, in the tool's frame
+
+    def organ(self, positions, pose):
+        corners = closed_beneath(self.case, positions)
+        return (corners - pose[:3, 3]) @ pose[:3, :3]
+
+    def in_organ(self, points, organ):
+        """A verdict on each point; the points in the organ's box are asked for alone."""
+        tested = np.flatnonzero(np.all((points > organ.min(axis=(0, 1))) & (points < organ.max(axis=(0, 1))), axis=1))
+        inside = np.zeros(len(points), bool)
+        if len(tested):
+            inside[tested] = geometry.ray_crossings(points[tested], organ, self.skew) >= 1
+        return inside
+
+    def points_inside(self, organ):
+        """How many of one sample a mm² are inside, and four standard deviations of a sample thrown at random."""
+        share = self.in_organ(self.points, organ).mean()
+        inside = share * self.area
+        return inside, 4 * np.sqrt(inside * (1 - share) * (1 + 1 / DENSITY))
+
+    def volume_inside(self, organ):
+        """By one random point in each cell of a grid over the box that tool and organ share; with its tolerance.
+
+        Only cells that the surface of the common part cuts are in doubt, those that differ from a neighbour: four
+        standard deviations of as many throws of a coin.
+        """
+        case = self.case
+        low = np.maximum(case.tool_positions.min(axis=0), organ.min(axis=(0, 1)))
+        high = np.minimum(case.tool_positions.max(axis=0), organ.max(axis=(0, 1)))
+        if np.any(low >= high):
+            return 0.0, 0.0
+        size = np.cbrt(np.prod(high - low) / CELLS)
+        shape = np.maximum(1, np.round((high - low) / size)).astype(int)
+        cell = (high - low) / shape
+        grid = np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3)
+        points = low + (grid + self.generator.random(grid.shape)) * cell
+        inside = self.in_organ(points, organ)
+        inside[inside] = geometry.winding_numbers(points[inside], case.tool) > 0.5
+        doubtful = np.count_nonzero(differ_from_neighbour(inside.reshape(shape)))
+        return inside.sum() * np.prod(cell), 4 * np.prod(cell) * np.sqrt(doubtful) / 2
+
+
+def differ_from_neighbour(inside):
+    differ = np.zeros(inside.shape, bool)
+    for axis in range(inside.ndim):
+        for shift in (1, -1):
+            beside = np.roll(inside, shift, axis=axis)
+            beside.swapaxes(0, axis)[0 if shift == 1 else -1] = False  # nothing lies beyond the box
+            differ |= inside != beside
+    return differ
+
+
+def volume_steps(case):
+    """Steps of the window, evenly chosen."""
+    window = np.flatnonzero(case.series["window"])
+    return set(window[np.linspace(0, len(window) - 1, VOLUME_STEPS).astype(int)]) if len(window) else set()
+
+
+def judge_volumes(case, answers, generator):
+    names = ("tool_points_inside", "tool_volume_inside")
+    sampler = Sampler(case, generator)
+    chosen = volume_steps(case)
+    for step in range(case.steps):
+        for moment, positions in (("_h", case.handled[step]), ("_d", case.deformed[step])):
+            if not case.closed and not case.heightfield:
+                for name in names:
+                    answers[name + moment].set_missing(step)
+                continue
+            organ = sampler.organ(positions, case.poses[step])
+            answers[f"tool_points_inside{moment}"].set_value(step, *sampler.points_inside(organ))
+            if step in chosen:
+                answers[f"tool_volume_inside{moment}"].set_value(step, *sampler.volume_inside(organ))
+
+
+def rays_agree_with_solid_angles(case, generator):
+    """Whether both ways to the winding number say the same of points around the tool's tip in the middle of the window."""
+    step = sorted(volume_steps(case))[VOLUME_STEPS // 2]
+    sampler = Sampler(case, generator)
+    organ = sampler.organ(case.handled[step], case.poses[step])
+    points = generator.uniform([-8, -8, -4], [8, 8, 16], (200, 3))
+    angles = geometry.winding_numbers(points, organ)
+    return np.array_equal(np.round(angles), geometry.ray_crossings(points, organ, sampler.skew))
