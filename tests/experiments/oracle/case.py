@@ -95,11 +95,11 @@ def to_tool(pose, points):
 
 
 def closed_beneath(case, positions):
-    """Corners of the organ; a sheet is closed by walls that go down from its boundary to a floor far beneath."""
+    """Corners of the organ; a sheet is closed by walls that go down from its boundary to a floor beneath all tools."""
     corners = positions[case.facets]
     if case.closed:
         return corners
-    depth = np.array([0, 0, 1000.0])
+    depth = np.array([0, 0, 100.0])
     a, b = positions[case.boundary[:, 0]], positions[case.boundary[:, 1]]
     below_a, below_b = case.rest[case.boundary[:, 0]] - depth, case.rest[case.boundary[:, 1]] - depth
     middle = np.broadcast_to(below_a.mean(axis=0), a.shape)

@@ -59,26 +59,20 @@ def ray_crossings(points, corners, direction):
     across /= np.linalg.norm(across)
     frame = np.stack([across, np.cross(along, across), along])
     points, corners = points @ frame.T, corners @ frame.T
-    near = np.all(corners.max(axis=1)[:, :2] >= points[:, :2].min(axis=0), axis=1)
-    near &= np.all(corners.min(axis=1)[:, :2] <= points[:, :2].max(axis=0), axis=1)
-    near &= corners.max(axis=1)[:, 2] >= points[:, 2].min()
-    numbers = np.zeros(len(points), int)
-    for a, b, c in corners[near]:
-        low, high = np.min([a, b, c], axis=0), np.max([a, b, c], axis=0)
-        under = np.flatnonzero(np.all((points[:, :2] >= low[:2]) & (points[:, :2] <= high[:2]), axis=1))
-        spanned = [flat_area(points[under], p, q) for p, q in ((b, c), (c, a), (a, b))]
-        facing = np.sign(spanned[0] + spanned[1] + spanned[2])
-        shadowed = np.all([facing * part > 0 for part in spanned], axis=0)
-        under, spanned = under[shadowed], [part[shadowed] for part in spanned]
-        height = (spanned[0] * a[2] + spanned[1] * b[2] + spanned[2] * c[2]) / sum(spanned)
-        above = height > points[under, 2]
-        numbers[under[above]] += facing[shadowed][above].astype(int)
-    return numbers
+    corners = corners[corners[..., 2].max(axis=1) > points[:, 2].min()]
+    flat = points[:, :2]
+    where, which = meeting_boxes((flat, flat), box(corners[..., :2])).T
+    a, b, c = np.moveaxis(corners[which], 1, 0)
+    parts = np.stack([flat_area(flat[where], p, q) for p, q in ((b, c), (c, a), (a, b))])
+    facing = np.sign(parts.sum(axis=0))
+    height = (parts * np.stack([a, b, c])[..., 2]).sum(axis=0)
+    crossed = np.all(facing * parts > 0, axis=0) & (facing * (height - parts.sum(axis=0) * points[where, 2]) > 0)
+    return np.bincount(where, weights=facing * crossed, minlength=len(points)).round().astype(int)
 
 
-def flat_area(points, p, q):
-    """Twice the signed area of point, p, q, looked at along z."""
-    return (p[0] - points[:, 0]) * (q[1] - points[:, 1]) - (p[1] - points[:, 1]) * (q[0] - points[:, 0])
+def flat_area(o, p, q):
+    """Twice the signed area of o, p, q, looked at along z."""
+    return (p[:, 0] - o[:, 0]) * (q[:, 1] - o[:, 1]) - (p[:, 1] - o[:, 1]) * (q[:, 0] - o[:, 0])
 
 
 def segment_distances(points, p, q):
@@ -106,13 +100,21 @@ def distances(points, corners):
 
 
 def side(a, b, c, d):
-    """1 where d is on the side of a, b, c that their normal points to, −1 on the other, 0 where rounding may decide."""
+    """1 where d is on the side of a, b, c that their normal points to, −1 on the other, 0 where rounding may decide.
+
+    Moving a corner by ROUNDING changes the spanned volume by no more than that times the area opposite. The areas are
+    bounded by lengths first, and computed where that does not do.
+    """
     ab, ac, ad = b - a, c - a, d - a
-    base, left, right = cross(ab, ac), cross(ac, ad), cross(ad, ab)
+    base = cross(ab, ac)
     spanned = dot(base, ad)
-    # Moving a corner by ROUNDING changes the spanned volume by no more than that times the facet opposite.
+    bound = 2 * ROUNDING * (length(base) + length(ad) * (length(ab) + length(ac)))
+    signs = np.sign(spanned).astype(int)
+    close = np.flatnonzero(np.abs(spanned) <= bound)
+    base, left, right = base[close], cross(ac[close], ad[close]), cross(ad[close], ab[close])
     bound = ROUNDING * (length(base) + length(left) + length(right) + length(base + left + right))
-    return np.where(np.abs(spanned) <= bound, 0, np.sign(spanned)).astype(int)
+    signs[close[np.abs(spanned[close]) <= bound]] = 0
+    return signs
 
 
 def apart_in_plane(p, q, corners):
@@ -148,16 +150,32 @@ def crossings(p, q, corners):
     return verdicts
 
 
-def meeting_boxes(first, second, chunk=2**22):
-    """Index pairs (i, j) of corner sets first[i], second[j] whose boxes meet, rounding allowed for."""
-    low_1, high_1 = first.min(axis=1) - ROUNDING, first.max(axis=1) + ROUNDING
-    low_2, high_2 = second.min(axis=1) - ROUNDING, second.max(axis=1) + ROUNDING
-    pairs = []
-    rows = max(1, chunk // max(1, len(second)))
-    for start in range(0, len(first), rows):
-        low, high = low_1[start : start + rows, None], high_1[start : start + rows, None]
-        meet = (low[..., 0] <= high_2[:, 0]) & (high[..., 0] >= low_2[:, 0])
-        i, j = np.nonzero(meet)
-        meet = np.all((low[i, 0] <= high_2[j]) & (high[i, 0] >= low_2[j]), axis=1)
-        pairs.append(np.stack([i[meet] + start, j[meet]], axis=1))
-    return np.concatenate(pairs) if pairs else np.empty((0, 2), int)
+def box(corners):
+    """Lowest and highest coordinates of each set of corners, a little widened."""
+    return corners.min(axis=1) - ROUNDING, corners.max(axis=1) + ROUNDING
+
+
+def meeting_boxes(first, second):
+    """Index pairs (i, j) of boxes first[i], second[j] that meet; each is (lowest, highest) as `box` returns.
+
+    Along the first axis two intervals meet where either begins in the other; the other axes are looked at then.
+    """
+    (low_1, high_1), (low_2, high_2) = first, second
+    begins_in_first = spans(low_2[:, 0], low_1[:, 0], high_1[:, 0], "left")
+    begins_in_second = spans(low_1[:, 0], low_2[:, 0], high_2[:, 0], "right")
+    pairs = np.concatenate([begins_in_first, begins_in_second[:, ::-1]])
+    i, j = pairs.T
+    meet = np.ones(len(pairs), bool)
+    for axis in range(1, low_1.shape[1]):
+        meet &= (low_1[i, axis] <= high_2[j, axis]) & (high_1[i, axis] >= low_2[j, axis])
+    return pairs[meet]
+
+
+def spans(values, lows, highs, edge):
+    """Index pairs (i, j) with values[j] from lows[i] to highs[i]; with `edge` "right" a value at the low end is out."""
+    order = np.argsort(values)
+    start = np.searchsorted(values[order], lows, edge)
+    count = np.maximum(0, np.searchsorted(values[order], highs, "right") - start)
+    i = np.repeat(np.arange(len(lows)), count)
+    within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
+    return np.stack([i, order[start[i] + within]], axis=1)

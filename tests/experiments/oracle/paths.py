@@ -24,7 +24,7 @@ class Walls:
         self.place = np.full((len(start), count), np.nan)
         normals = geometry.area_vectors(tool)
         normals /= geometry.length(normals)[:, None]
-        ways, facets = geometry.meeting_boxes(np.stack([start, end], axis=1), tool).T
+        ways, facets = geometry.meeting_boxes(geometry.box(np.stack([start, end], axis=1)), geometry.box(tool)).T
         p, q = start[ways], end[ways]
         self.verdicts[ways, facets] = geometry.crossings(p, q, tool[facets])
         fall = geometry.dot(q - p, normals[facets])

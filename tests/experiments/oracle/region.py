@@ -60,20 +60,25 @@ def bounds_of_mean(values, verdicts):
 
 
 def judge_region(case, answers):
-    """An edge is the region's when either of its ends is. Jitter needs two states after deformation before this one."""
+    """Strain and jitter at every step, recovery at the last.
+
+    metrics.md leaves two things open. "Vertices (and their edges)": the edges with both ends in the region, not those
+    with one. x_k−2 of the second step: the state that the scene begins with, which the first step finds; the first step
+    has no x_k−2.
+    """
     region = fixed_region(case)
     a, b = case.edges.T
-    edges = np.maximum(region[a], region[b])
+    edges = np.minimum(region[a], region[b])
     rest = geometry.length(case.rest[a] - case.rest[b])
     for step, positions in enumerate(case.deformed):
         stretch = geometry.length(positions[a] - positions[b]) / rest - 1
         low, high = np.sqrt(bounds_of_mean(stretch**2, edges))
         tolerance = 2 * ROUNDING / rest.min()
         answers["strain"].set(step, low - tolerance, high + tolerance)
-        if step < 2:
+        if step == 0:
             answers["jitter"].set_missing(step)
             continue
-        jerk = geometry.length(positions - 2 * case.deformed[step - 1] + case.deformed[step - 2])
+        jerk = geometry.length(positions - 2 * case.found[step] + case.found[step - 1])
         low, high = bounds_of_mean(jerk, region)
         answers["jitter"].set(step, low - 2 * ROUNDING, high + 2 * ROUNDING)
     off = geometry.length(case.deformed[-1] - case.rest)

@@ -22,7 +22,7 @@ def best(verdicts, of, count):
 def facets_crossing(case, positions, pose):
     """A facet crosses the tool's surface where a side of either passes through the other's facet."""
     organ = to_tool(pose, positions)[case.facets]
-    organ_facets, tool_facets = geometry.meeting_boxes(organ, case.tool).T
+    organ_facets, tool_facets = geometry.meeting_boxes(geometry.box(organ), geometry.box(case.tool)).T
     organ_corners, tool_corners = organ[organ_facets], case.tool[tool_facets]
     verdicts = np.full(len(organ), -1)
     for a, b in SIDES:
@@ -60,7 +60,7 @@ def crossing_pairs(case, positions, moved):
     """
     corners = positions[case.facets]
     which = np.flatnonzero(moved)
-    pairs = geometry.meeting_boxes(corners[which], corners)
+    pairs = geometry.meeting_boxes(geometry.box(corners[which]), geometry.box(corners))
     pairs[:, 0] = which[pairs[:, 0]]
     pairs = pairs[(pairs[:, 0] < pairs[:, 1]) | ~moved[pairs[:, 1]]]
     pairs = pairs[pairs[:, 0] != pairs[:, 1]]
@@ -105,8 +105,9 @@ class SelfCrossings:
         self.last = {}
 
     def count(self, moment, positions):
-        if moment in self.last and np.array_equal(self.last[moment][0], positions):
-            return self.last[moment][1]
+        for before, counts in self.last.values():
+            if np.array_equal(before, positions):
+                return counts
         off = geometry.length(positions - self.case.rest) > 1e-3
         certain, unsure = crossing_pairs(self.case, positions, off[self.case.facets].any(axis=1))
         counts = len(certain - self.at_rest - self.open_at_rest), len((certain | unsure) - self.at_rest)

@@ -31,7 +31,7 @@ class Sampler:
         self.generator = generator
         self.points = surface_points(case.tool, generator)
         self.area = geometry.length(geometry.area_vectors(case.tool)).sum() / 2
-        self.skew = generator.normal(size=3) * 0.2 + [0, 0, 1]  # of the rays, in the tool's frame
+        self.skew = generator.normal(size=3) * 0.05 + [0, 0, 1]  # of the rays, in the tool's frame
 
     def organ(self, positions, pose):
         corners = closed_beneath(self.case, positions)
