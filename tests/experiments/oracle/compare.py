@@ -3,11 +3,13 @@
 For the oracle alone; it shares nothing with the program's judge.
 """
 
+import json
+
 import numpy as np
 
 # Of a metric's steps in a case, those that the oracle may leave open because rounding decides whether a vertex counts.
 OPEN_STEPS = 0.05
-SAMPLED = ("tool_volume_inside_h", "tool_volume_inside_d")  # answered at some steps only, by design
+SAMPLED = ("tool_volume_inside_h", "tool_volume_inside_d", "recovery")  # answered at some steps only, by design
 NOT_IN_REPLAY = ("fallbacks", "time")  # the strategy's own count, and clocks
 
 
@@ -35,6 +37,13 @@ def figures(series, window):
     if len(values) == 0:
         return {"mean": np.nan, "max": np.nan, "final": np.nan}
     return {"mean": values.mean(), "max": values.max(), "final": values[-1]}
+
+
+def compare_missing(name, stored, columns, window):
+    """Complaints about how many values of the window the file says are missing, whatever the reasons."""
+    told = sum(json.loads(columns["missing"] or "{}").get(name, {}).values())
+    missing = np.count_nonzero(np.isnan(stored[window > 0]))
+    return [] if told == missing else [f"{name}: {missing} values are missing in the window, not {told} as stored"]
 
 
 def compare_figures(name, stored, columns, window):

@@ -54,6 +54,8 @@ def ray_crossings(points, corners, direction):
 
     The facets are looked at along the direction, where a point is in a facet's shadow or not.
     """
+    if len(points) == 0:
+        return np.zeros(0, int)
     along = direction / np.linalg.norm(direction)
     across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
     across /= np.linalg.norm(across)

@@ -42,15 +42,16 @@ class Walls:
         return np.flatnonzero(passed & (self.place[way] >= furthest - ROUNDING / max(self.long[way], ROUNDING)))
 
 
-def tunnelled(walls, starts, ends):
-    """Of ways from outside to outside: a verdict on whether they go through the tool between.
+def tunnelled(before, now, on_the_way):
+    """Whether a vertex that is outside now was in the tool since the step before handled it: a verdict.
 
-    A vertex that the step found inside already and that ends outside did not go through within it: not counted.
+    From verdicts on being inside before and after the tool's move, and on passing the tool's facets from one handling
+    to the next. metrics.md leaves two things open. "Within the step" is from that handling to the next detection:
+    deformation, then the tool's move. "Went through" is having been in it at any time of that, so a vertex that
+    deformation pulls in counts too where the tool's move lets it go.
     """
-    outside = (starts < 0) & (ends < 0)
-    unsure = (starts <= 0) & (ends <= 0)
-    passes = walls.verdicts.max(axis=1, initial=-1)
-    return np.where(outside & (passes > 0), 1, np.where(unsure & (passes >= 0), 0, -1))
+    was_in = np.maximum(before, on_the_way)
+    return np.where(now < 0, was_in, np.where(now == 0, np.minimum(was_in, 0), -1))
 
 
 class Entries:
@@ -95,29 +96,39 @@ def near_tool(case, *ends):
 def judge_ways(case, answers):
     """A step is three ways in the tool's frame: the tool moves, handling moves, deformation moves."""
     entries = Entries(case)
+    passed = np.full(len(case.rest), -1)  # in the deformation of the step before
     for step in range(case.steps):
         pose, before = case.poses[step], case.pose_before(step)
         states = [(before, case.found), (pose, case.found), (pose, case.handled), (pose, case.deformed)]
         places = [to_tool(at, positions[step]) for at, positions in states]
         inside = [inside_tool(case, positions[step], at).verdicts for at, positions in states]
-        near = near_tool(case, *places)
+        near = np.union1d(near_tool(case, *places), np.flatnonzero(passed >= 0))
         walls = [Walls(case.tool, start[near], end[near]) for start, end in zip(places, places[1:])]
+        passes = [one.verdicts.max(axis=1, initial=-1) for one in walls]
 
-        verdicts = tunnelled(walls[0], inside[0][near], inside[1][near])
-        answers["tunnelled"].set_count(step, verdicts)
+        on_the_way = np.maximum(passed[near], passes[0])
+        answers["tunnelled"].set_count(step, tunnelled(inside[0][near], inside[1][near], on_the_way))
+        passed[:] = -1
+        passed[near] = passes[2]
 
         entries.follow(near, walls[0], inside[0][near], inside[1][near])
-        verdicts = np.full(len(near), -1)
-        for way, vertex in enumerate(near):
-            if inside[1][vertex] >= 0 and inside[2][vertex] <= 0:
-                sure = inside[1][vertex] > 0 and inside[2][vertex] < 0
-                verdict = entries.opposite(vertex, walls[1].last(way, inwards=False))
-                verdicts[way] = verdict if sure else min(verdict, 0)
-        answers["tool_crossings"].set_count(step, verdicts)
+        answers["tool_crossings"].set_count(step, tool_crossings(entries, near, walls[1], inside[1], inside[2]))
         entries.follow(near, walls[1], inside[1][near], inside[2][near])
         entries.follow(near, walls[2], inside[2][near], inside[3][near])
 
         answers["displacement_crossings"].set_count(step, displacement_crossings(case, step, inside[1]))
+
+
+def tool_crossings(entries, near, walls, found, handled):
+    """Of vertices found inside and put outside: whether the last facet that the displacement leaves the tool through
+    is opposite to the one of the entry. A verdict on each of `near`."""
+    verdicts = np.full(len(near), -1)
+    for way, vertex in enumerate(near):
+        if found[vertex] >= 0 and handled[vertex] <= 0:
+            sure = found[vertex] > 0 and handled[vertex] < 0
+            verdict = entries.opposite(vertex, walls.last(way, inwards=False))
+            verdicts[way] = verdict if sure else min(verdict, 0)
+    return verdicts
 
 
 def displacement_crossings(case, step, collided):
