@@ -1,1 +1,1 @@
-"""The oracle: every metric of a case recomputed with numpy from its replay, sharing nothing with the program's judge."""
+"""The oracle: a case's metrics recomputed from its replay by numpy, sharing nothing with the program's judge."""

@@ -12,7 +12,6 @@ import numpy as np
 # A coordinate below 128 mm in float32 is off by at most 3.8e-6 mm, a vertex by 6.6e-6 mm, the tool's place by as much
 # again, its turn (6e-8 of at most 80 mm) by 5e-6 mm.
 ROUNDING = 2e-5  # mm
-WIDE = 0.01  # of a count
 
 
 @dataclass
@@ -33,14 +32,9 @@ class Answer:
     def set_value(self, step, value, tolerance):
         self.set(step, value - tolerance, value + tolerance)
 
-    def set_bounds(self, step, low, high):
-        """Of a count; one that rounding leaves wide open is not compared."""
-        if high - low <= 1 + WIDE * high:
-            self.set(step, low, high)
-
     def set_count(self, step, verdicts):
         """Counts verdicts of 1 (certain), 0 (within rounding), −1 (certainly not)."""
-        self.set_bounds(step, np.sum(verdicts > 0), np.sum(verdicts >= 0))
+        self.set(step, np.sum(verdicts > 0), np.sum(verdicts >= 0))
 
     def set_missing(self, step):
         self.set(step, np.nan, np.nan)

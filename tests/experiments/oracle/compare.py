@@ -25,7 +25,8 @@ def compare_series(name, stored, answer):
     with np.errstate(invalid="ignore"):
         off = answer.known & ((stored < answer.low) | (stored > answer.high))
     for step in np.flatnonzero(missing | off)[:3]:
-        wrong.append(f"{name}: {stored[step]:.9g} at step {step}, not {answer.low[step]:.9g} to {answer.high[step]:.9g}")
+        interval = f"{answer.low[step]:.9g} to {answer.high[step]:.9g}"
+        wrong.append(f"{name}: {stored[step]:.9g} at step {step}, not {interval}")
     more = np.count_nonzero(missing | off) - 3
     return wrong + ([f"{name}: and at {more} more steps"] if more > 0 else [])
 

@@ -86,7 +86,7 @@ def segment_distances(points, p, q):
 
 
 def distances(points, corners):
-    """From each point to the nearest of the facets: to their planes where the foot is on the facet, else to their edges."""
+    """From each point to the nearest facet: to its plane where the foot is on the facet, else to its edges."""
     if len(points) == 0:
         return np.empty(0)
     a, b, c = np.moveaxis(corners, 1, 0)
@@ -174,7 +174,7 @@ def meeting_boxes(first, second):
 
 
 def spans(values, lows, highs, edge):
-    """Index pairs (i, j) with values[j] from lows[i] to highs[i]; with `edge` "right" a value at the low end is out."""
+    """Index pairs (i, j) with values[j] from lows[i] to highs[i]; with `edge` "right" one at the low end is out."""
     order = np.argsort(values)
     start = np.searchsorted(values[order], lows, edge)
     count = np.maximum(0, np.searchsorted(values[order], highs, "right") - start)

@@ -28,7 +28,7 @@ def looks(case):
 
 
 def clearances(case):
-    """From each vertex at rest to the tool when it was nearest, in radii; 0 inside, inf where it is beyond the region."""
+    """From each vertex at rest to the tool when it was nearest, in radii; 0 inside, inf beyond the region."""
     low = case.tool_positions.min(axis=0) - 2.1 * case.radius
     high = case.tool_positions.max(axis=0) + 2.1 * case.radius
     nearest = np.full(len(case.rest), np.inf)
@@ -63,7 +63,7 @@ def judge_region(case, answers):
     """Strain and jitter at every step, recovery at the last.
 
     metrics.md leaves two things open. "Vertices (and their edges)": the edges with both ends in the region, not those
-    with one. x_k−2 of the second step: the state that the scene begins with, which the first step finds; the first step
+    with one. x_k−2 of the second step: the state that the scene begins with, which the first step finds; the first
     has no x_k−2.
     """
     region = fixed_region(case)

@@ -123,7 +123,7 @@ def judge_surfaces(case, answers):
         answers["flipped_facets"].set_count(step, flipped_facets(case, step))
         for moment, positions in (("_h", case.handled[step]), ("_d", case.deformed[step])):
             answers[f"facets_crossing{moment}"].set_count(step, facets_crossing(case, positions, case.poses[step]))
-            answers[f"self_crossings{moment}"].set_bounds(step, *crossings.count(moment, positions))
+            answers[f"self_crossings{moment}"].set(step, *crossings.count(moment, positions))
         if case.closed:
             now = geometry.volume(case.deformed[step][case.facets])
             answers["volume_change"].set_value(step, now / volume - 1, 2 * ROUNDING * area / volume)

@@ -113,7 +113,7 @@ def judge_gaps(case, answers, step, moment, positions):
 
 
 def judge_drag(case, answers, step, collided, normals):
-    """Mean of max(0, d · τ) over the collided vertices that have a τ: where the tool moved, and not along the normal.
+    """Mean of max(0, d · τ) over the collided vertices with a τ: where the tool moved, and not along the normal.
 
     v_m is the way of the tool's material at the vertex as handling found it, from the pose before to the pose now.
     """
