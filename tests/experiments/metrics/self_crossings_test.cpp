@@ -77,7 +77,25 @@ TEST(SelfCrossings, DoNotCountThePairsAtRest) {
     EXPECT_EQ(expected_pairs(organ, positions), (std::vector<FacetPair>{{0, 4}}));
 }
 
-TEST(SelfCrossings, OfAVertexBetweenFacetsFoldedFlat) {
+TEST(SelfCrossings, OfFacetsThatComeHalfWayTowardsEachOther) {
+    const Organ organ = make_organ("pair", {.positions = {{0, 0, 0},
+                                                          {9, 0, 0},
+                                                          {0, 9, 0},  //
+                                                          {0, 0, 1},
+                                                          {9, 0, 1},
+                                                          {0, 9, 1}},
+                                            .facets = {{0, 1, 2}, {3, 4, 5}}});
+    const SelfIntersections found(organ);
+    const auto closer_by = [&](double each) {
+        std::vector<Vec3> positions = organ.rest.positions;
+        for (Vec3& p : positions) p.z() += p.z() == 0 ? each : -each;
+        return found.beyond_rest(positions).size();
+    };
+    EXPECT_EQ(closer_by(0.5), 1U);
+    EXPECT_EQ(closer_by(0.5 - 1e-9), 0U);
+}
+
+TEST(SelfCrossings, OfFacetsFoldedFlat) {
     // Two facets that join in an edge meet elsewhere once one is folded flat onto the other.
     const Organ organ = make_organ("hinge", {.positions = {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -3, 0}},
                                              .facets = {{0, 1, 2}, {1, 0, 3}}});

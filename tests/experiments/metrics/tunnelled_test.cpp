@@ -70,6 +70,14 @@ TEST(Tunnelled, FollowsTheArcNotItsChord) {
         block_at(middle).tunnels(vertex, {}, turned_about(Vec3::Zero(), Vec3::UnitZ(), 90 * degree)));
 }
 
+TEST(Tunnelled, IsSeenWhereTheArcLeavesTheBoxOfItsEnds) {
+    const OneVertex one(box_tool({9.5, -0.5, 0}, {10.5, 0.5, 10}));
+    const Pose back = turned_about(Vec3::Zero(), Vec3::UnitZ(), 45 * degree);
+    const Pose on = turned_about(Vec3::Zero(), Vec3::UnitZ(), -45 * degree);
+    EXPECT_TRUE(one.tunnels({10, 0, 5}, back, on));
+    EXPECT_FALSE(one.tunnels({11, 0, 5}, back, on));
+}
+
 TEST(Tunnelled, GoesInByTheArcToWithinItsError) {
     const Vec3 vertex(10, 0, 5);
     const Pose turned = turned_about(Vec3::Zero(), Vec3::UnitZ(), -90 * degree);
