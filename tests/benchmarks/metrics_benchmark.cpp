@@ -11,7 +11,7 @@
 #include "common/cycle/cycle.h"
 #include "common/geometry/organ_shapes.h"
 #include "common/tool/tool_shapes.h"
-#include "experiments/metrics/judge.h"
+#include "experiments/metrics/judge/judge.h"
 #include "strategies/registry.h"
 
 namespace trocar {

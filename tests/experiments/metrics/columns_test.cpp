@@ -1,6 +1,6 @@
 // Columns through facets, most of all where they meet edges and corners.
 
-#include "experiments/metrics/columns.h"
+#include "experiments/metrics/tool_inside/columns.h"
 
 #include <algorithm>
 #include <map>

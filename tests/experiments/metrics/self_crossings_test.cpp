@@ -12,7 +12,7 @@
 #include "cgal_oracle.h"
 #include "common/geometry/organ_shapes.h"
 #include "common/tool/tool_shapes.h"
-#include "experiments/metrics/self_intersections.h"
+#include "experiments/metrics/self_crossing/self_intersections.h"
 #include "judged_steps.h"
 #include "tests/random_numbers.h"
 

@@ -1,8 +1,8 @@
-#include "experiments/metrics/paths.h"
+#include "experiments/metrics/paths/paths.h"
 
 #include <algorithm>
 
-#include "experiments/metrics/arc.h"
+#include "experiments/metrics/paths/arc.h"
 
 namespace trocar {
 namespace {
