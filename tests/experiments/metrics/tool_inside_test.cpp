@@ -115,6 +115,18 @@ TEST_P(ToolInBox, CountsAPartOfWindingTwoOnce) {
     }
 }
 
+TEST_P(ToolInBox, SwallowedTwiceIsSwallowedOnce) {
+    const SurfaceMesh one = box_organ({-50, -50, -50}, {50, 50, 50}, GetParam()).rest;
+    const SurfaceMesh other = box_organ({-30, -30, -45}, {30, 30, 45}, GetParam()).rest;
+    for (const char* name : {"prism-12", "grasper"}) {
+        const JudgedSteps scene(make_organ("boxes", both(one, other)), make_tool_by_formula(name));
+        const Inside found = inside(scene, tip_at(-41));
+        const double volume = signed_volume(scene.tool().mesh);
+        EXPECT_NEAR(found.volume, volume, 0.005 * volume) << name;
+        EXPECT_EQ(found.points, scene.judged_tool().points().size()) << name;
+    }
+}
+
 TEST_P(ToolInBox, AnInvertedPocketIsNotInside) {
     // Turned inside out the box has nothing inside; with a sound box in the tool's way, that alone counts.
     SurfaceMesh inverted = box_organ({-20, -20, -40}, {20, 20, 0}, GetParam()).rest;
