@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from textwrap import wrap
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -24,6 +25,7 @@ DPI = 100  # pages show it at this size
 LONE_PANEL_HEIGHT = 3.3
 TITLE_HEIGHT, PANEL_TITLE_HEIGHT = 0.42, 0.26
 CAPTION_LINE = 0.17
+CAPTION_WIDTH = 108  # letters
 HALO = [withStroke(linewidth=3.2, foreground="white")]
 
 
@@ -46,7 +48,7 @@ def statement(picture: dict) -> str:
 
 
 def compose(picture: dict) -> Figure:
-    panels, lines = picture["panels"], picture["caption"].split("\n")
+    panels, lines = picture["panels"], wrap(picture["caption"], CAPTION_WIDTH)
     panel_width = (WIDTH - MARGIN) / len(panels) - MARGIN
     panel_height = LONE_PANEL_HEIGHT if len(panels) == 1 else panel_width * picture["height"] / picture["width"]
     below = CAPTION_LINE * len(lines) + 2 * MARGIN
@@ -117,13 +119,13 @@ def draw_marks(axes: Axes, camera: Camera, positions: np.ndarray, panel: dict) -
         ends = np.array(panel["marked_segments"])
         lines = camera.see(ends.reshape(-1, 3))[:, :2].reshape(-1, 2, 2)
         axes.add_collection(
-            LineCollection(lines, colors=red, linewidths=1.8, capstyle="round", path_effects=HALO, zorder=4),
+            LineCollection(lines, colors=red, linewidths=1.8, capstyle="round", path_effects=HALO, zorder=6),
             autolim=False,
         )
     if panel["marked_points"]:
         points = camera.see(np.array(panel["marked_points"]))
-        axes.plot(*points[:, :2].T, ".", color=red, markersize=2.6, zorder=6)
+        axes.plot(*points[:, :2].T, ".", color=red, markersize=2.6, zorder=7)
     dots = camera.see(positions[panel["marked_vertices"]].reshape(-1, 3))
     axes.plot(
-        *dots[:, :2].T, "o", color=red, markersize=5.5, markeredgecolor="white", markeredgewidth=0.7, zorder=7
+        *dots[:, :2].T, "o", color=red, markersize=5.5, markeredgecolor="white", markeredgewidth=0.7, zorder=8
     )

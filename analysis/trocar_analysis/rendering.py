@@ -32,8 +32,8 @@ def render(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The picture's colours, [rows, columns, 3], and the depth of what hides the tool at each of its finer pixels.
 
-    `marked` are numbers of the organ's facets. Where `cut`, the part of the organ before the upright plane through
-    the picture's centre is left out, and the section is filled."""
+    `marked` are numbers of the organ's facets. Where `cut`, the part of the organ with y below that of the picture's
+    centre is left out, and the section is filled. The eye has to be on that side."""
     colours, depth = draw_organ(camera, organ, marked, cut)
     colours = draw_glass(camera, tool, colours, depth)
     rows, columns = (size // FINER for size in camera.shape)
@@ -75,11 +75,12 @@ def draw_organ(
 
 
 def section_depth(camera: Camera) -> np.ndarray:
-    """Of the upright plane through the centre that faces the eye, at each pixel."""
+    """Of the plane of the section at each pixel: what is nearer to the eye is left out."""
     rows, columns = camera.shape
-    across = np.array([*camera.basis[:2, 2], 0]) @ camera.basis
+    across, upwards, towards = camera.basis[1]  # y in the picture's coordinates
+    right = (np.arange(columns) + 0.5) * camera.pixel - camera.half_width
     up = camera.half_height - (np.arange(rows) + 0.5) * camera.pixel
-    return np.repeat(-up[:, None] * across[1] / across[2], columns, axis=1)
+    return -(right * across + up[:, None] * upwards) / towards
 
 
 def draw_glass(camera: Camera, tool: Surface, colours: np.ndarray, depth: np.ndarray) -> np.ndarray:

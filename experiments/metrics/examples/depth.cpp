@@ -14,7 +14,7 @@ Example leave(std::string metric, const std::vector<Index>& left) {
         still_step(std::move(metric), Moment::handled, half_sheet.organ(), bar(8, 8, 12), tip_at(0, 0, -2));
     for (const Index vertex : collided(example)) example.handled[vertex].z() = -2.4;
     for (const Index vertex : left) example.handled[vertex].z() = 0;
-    example.eye = {.towards = {0.3, -1, 0.4}, .centre = {0, 2, 2}, .width = 26, .height = 18};
+    example.eye = {.towards = {0.3, -1, 0.4}, .centre = {0, 3, 2.4}, .width = 29, .height = 18};
     return example;
 }
 

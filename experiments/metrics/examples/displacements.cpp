@@ -20,7 +20,7 @@ Example pushed_down(std::string metric, const std::array<double, 3>& by) {
             example.handled[half_sheet.vertex(first_column + column, row)].z() -= by[column];
         }
     }
-    example.eye = {.towards = {0.3, -1, 0.35}, .centre = {0, 2, 0}, .width = 26, .height = 20};
+    example.eye = {.towards = {0.3, -1, 0.35}, .centre = {0, 3, 0}, .width = 29, .height = 21};
     return example;
 }
 
@@ -80,11 +80,11 @@ Example gap_max() {
 Example drag() {
     Example example = pushed_down("drag", {0.4 - tip, 0.4 - tip, 0.4 - tip});
     example.start = tip_at(-6, 0, tip);
-    for (const Index vertex : collided(example)) example.handled[vertex].x() += 2.5;
-    example.expected = 2.5;
+    for (const Index vertex : collided(example)) example.handled[vertex].x() += 2;
+    example.expected = 2;
     example.caption =
         "The tool slides 6 mm to the right. The vertices that it meets are put out below it, and taken along "
-        "by 2.5 mm:\n"
+        "by 2 mm: "
         "the part of their way that counts.";
     show_handling(example, marks_of(example, [&](Index vertex) {
                       return Vec3(example.before[vertex].x(), example.handled[vertex].y(),

@@ -33,7 +33,7 @@ struct Eye {
     Vec3 towards{0.5, -1, 0.6};      ///< from the scene to the eye
     Vec3 centre{0, 0, 0};            ///< of the picture, mm
     double width = 26, height = 22;  ///< of what each panel shows, mm
-    bool cut = false;  ///< a closed organ is cut open by the plane through the centre that faces the eye
+    bool cut = false;  ///< a closed organ is left out where y < the centre's, and its section filled
 };
 
 /// A made-up step of which a metric's value is known, and how to draw it.

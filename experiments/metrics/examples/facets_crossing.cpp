@@ -10,9 +10,10 @@ Example facets_crossing() {
     example.expected = 1;
     example.caption =
         "A needle goes through the middle of a facet. No vertex is inside it, so there is nothing to "
-        "handle:\n"
+        "handle: "
         "vertices_inside is 0 although the needle is 4 mm deep.";
     example.eye.centre = {0, 0, 2};
+    example.eye.height = 20;
     example.panels = {{.title = "after handling",
                        .positions = example.handled,
                        .tool = example.end,

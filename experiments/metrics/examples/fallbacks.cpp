@@ -21,16 +21,15 @@ Example fallbacks() {
     example.expected = 1;
     example.caption =
         "A vertex on a sharp fold: the normals around it cancel, and their mean names no direction. The "
-        "strategy says so\n"
+        "strategy says so "
         "and moves the vertex in some other way.";
     example.eye = {.towards = {0.7, -1, 0.5}, .centre = {0, 0, 6}, .width = 30, .height = 26};
-    const Vec3 left(-0.15, -1.5, 5), right(0.15, -1.5, 5);
-    example.panels = {
-        {.title = "before handling",
-         .positions = example.before,
-         .tool = example.end,
-         .marks = {.vertices = {patch.vertex(crest, crest)},
-                   .segments = {{left, left - Vec3(5, 0, 0)}, {right, right + Vec3(5, 0, 0)}}}}};
+    const Vec3 vertex(0, 0, 8), normal(4.5, 0, 0);
+    example.panels = {{.title = "before handling",
+                       .positions = example.before,
+                       .tool = example.end,
+                       .marks = {.vertices = {patch.vertex(crest, crest)},
+                                 .segments = {{vertex, vertex - normal}, {vertex, vertex + normal}}}}};
     return example;
 }
 

@@ -33,7 +33,7 @@ Example tunnelled() {
     example.expected = 1;
     example.caption =
         "Within one step a blade goes from one side of the vertex to the other, right through it. It is "
-        "outside when\n"
+        "outside when "
         "the step begins and outside when collisions are looked for: never detected.";
     return example;
 }
@@ -46,7 +46,7 @@ Example tool_crossings() {
     example.expected = 1;
     example.caption =
         "The tool comes from the right, so the vertex goes in through its left side. It is put out on the "
-        "right: the\n"
+        "right: the "
         "tissue now lies on the wrong side of the tool.";
     example.panels.push_back({.title = "after handling",
                               .positions = example.handled,

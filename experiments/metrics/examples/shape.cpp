@@ -32,11 +32,12 @@ Example edge_ratio_mean() {
     example.expected = 0.5;
     example.caption =
         "The sheet is bunched under the tip: every edge has half its length at rest. Those with an end that "
-        "was\n"
+        "was "
         "inside count.";
     example.eye.centre = {0, 0, 2};
     example.eye.width = 32;
     show_handling(example, {.vertices = collided(example)});
+    example.panels.back().from.clear();
     return example;
 }
 
@@ -45,7 +46,7 @@ Example strain() {
     for (Vec3& position : example.deformed) position *= 1.25;
     example.expected = 0.25;
     example.caption = "Every edge is a quarter longer than at rest. Edges that are shorter count alike.";
-    example.eye = {.towards = {0.4, -1, 0.9}, .centre = {0, 0, 1}, .width = 36, .height = 29};
+    example.eye = {.towards = {0.4, -1, 0.9}, .centre = {0, 0, 1}, .width = 36, .height = 25};
     example.panels = {{.title = "at rest", .positions = example.before, .tool = example.end},
                       {.title = "after deformation",
                        .positions = example.deformed,
@@ -55,16 +56,16 @@ Example strain() {
 }
 
 Example jitter() {
-    Example example = still_step("jitter", Moment::deformed, patch.organ(), bar(6, 6, 8), tip_at(0, 0, 4));
+    Example example = still_step("jitter", Moment::deformed, patch.organ(), bar(6, 6, 5), tip_at(0, 0, 5));
     example.two_before = example.deformed = middle_at(0);
     example.before = example.handled = middle_at(1.5);
     example.region = middle();
     example.expected = 3;
     example.caption =
         "Nine vertices jump up by 1.5 mm in one step and down by as much in the next: their velocity changes "
-        "by 3 mm a\n"
+        "by 3 mm a "
         "step. A steady motion would have no jitter.";
-    example.eye.centre = {0, 0, 3};
+    example.eye = {.towards = {0.4, -1, 0.6}, .centre = {0, 0, 3}, .width = 24, .height = 21};
     const Marks marks{.vertices = example.region};
     example.panels = {
         {.title = "two steps ago", .positions = example.two_before, .tool = example.end, .marks = marks},
@@ -82,14 +83,14 @@ Example jitter() {
 }
 
 Example recovery() {
-    Example example = still_step("recovery", Moment::end, patch.organ(), bar(6, 6, 8), tip_at(0, 0, 5));
+    Example example = still_step("recovery", Moment::end, patch.organ(), bar(6, 6, 6), tip_at(0, 0, 9));
     example.before = example.handled = example.deformed = middle_at(-2);
     example.region = middle();
     example.expected = 2;
     example.caption =
         "The tool has left, and a dent is still there: the nine vertices near its way are 2 mm from where "
         "they were.";
-    example.eye.centre = {0, 0, 3};
+    example.eye = {.towards = {0.4, -1, 0.7}, .centre = {0, 0, 5}, .width = 30, .height = 27};
     Marks marks{.vertices = example.region};
     const std::vector<Vec3> rest = middle_at(0);
     for (const Index vertex : example.region)
@@ -111,8 +112,9 @@ Example volume_change() {
     example.expected = -0.2;
     example.caption =
         "Pressed flat by 2 of its 10 mm, with no way aside, a closed organ loses a fifth of its volume.";
-    example.eye.centre = {0, 0, 6};
-    example.eye.width = 30;
+    example.eye.centre = {0, 0, 7};
+    example.eye.width = 32;
+    example.eye.height = 27;
     example.panels = {{.title = "at rest", .positions = example.before, .tool = example.start},
                       {.title = "after deformation",
                        .positions = example.deformed,

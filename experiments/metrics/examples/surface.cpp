@@ -9,12 +9,12 @@ namespace trocar::examples {
 Example flipped_facets() {
     const Patch patch = centred_patch(7, 4);
     Example example =
-        still_step("flipped_facets", Moment::handled, patch.organ(), bar(4, 4, 10), tip_at(0, 0, -2));
-    example.handled[patch.vertex(3, 3)] = {6, 1, 1};
+        still_step("flipped_facets", Moment::handled, patch.organ(), bar(4, 4, 6), tip_at(0, 0, -2));
+    example.handled[patch.vertex(3, 3)] = {6.5, 1, 3.5};
     example.expected = 2;
     example.caption =
         "A vertex is put beyond its neighbours. Two of its six facets turn over and show their inner side.";
-    example.eye = {.towards = {0.6, -1, 1}, .centre = {1, 0, 2}, .width = 26, .height = 22};
+    example.eye = {.towards = {1, -0.75, 0.45}, .centre = {2, 0, 2}, .width = 22, .height = 16};
     show_handling(example,
                   {.vertices = {patch.vertex(3, 3)}, .facets = {patch.upper(3, 2), patch.lower(3, 3)}});
     return example;
@@ -41,7 +41,7 @@ Example self_crossings() {
     example.expected = 3;
     example.caption =
         "A strip is laid around a thin tool and through itself. Of the two squares that cross, each of two "
-        "facets,\n"
+        "facets, "
         "three pairs of facets do.";
     example.eye = {.towards = {0.45, -1, 0.45}, .centre = {0, 0, 4}, .width = 36, .height = 20};
     example.panels = {

@@ -29,7 +29,7 @@ std::vector<std::array<Vec3, 2>> box_edges(const Vec3& low, const Vec3& high) {
 }  // namespace
 
 Example tool_points_inside() {
-    SurfaceMesh ball = make_organ_by_formula("sphere@20mm").rest;
+    SurfaceMesh ball = make_organ_by_formula("sphere@10mm").rest;
     const double radius = ball.positions.front().norm();
     for (Vec3& position : ball.positions) position *= 12 / radius;
     const Mat3 leaning = Eigen::AngleAxisd(0.7, Vec3::UnitY()).toRotationMatrix();
@@ -38,9 +38,9 @@ Example tool_points_inside() {
     example.expected = 2 * 4 * 4 + 4 * 4 * 12;  // its surface in mm²
     example.caption =
         "An organ, cut open, has swallowed the tool: no vertex is inside the tool and no facet crosses it. "
-        "All 224\n"
+        "All 224 "
         "points of the tool's surface are inside the organ.";
-    example.eye = {.towards = {0.25, -1, 0.35}, .centre = {0, 0, 0}, .width = 30, .height = 26, .cut = true};
+    example.eye = {.towards = {1, -0.8, 0.4}, .centre = {0, 0, 0}, .width = 30, .height = 26, .cut = true};
     const JudgedTool tool(example.tool);
     Marks marks;
     for (const Vec3& point : tool.points()) marks.points.push_back(example.end.to_world(point));
@@ -58,9 +58,9 @@ Example tool_volume_inside() {
     example.expected = 3 * 3 * 11;
     example.caption =
         "The organ, cut open, has large facets, the tool is thinner: no vertex is inside it. Of the tool 11 "
-        "mm are in\n"
+        "mm are in "
         "the organ, of 3 mm by 3 mm.";
-    example.eye = {.towards = {0.25, -1, 0.35}, .centre = {0, 0, 4}, .width = 30, .height = 27, .cut = true};
+    example.eye = {.towards = {0.7, -1, 0.5}, .centre = {0, 0, 4}, .width = 30, .height = 27, .cut = true};
     example.panels = {{.title = "after handling",
                        .positions = example.handled,
                        .tool = example.end,

@@ -14,7 +14,7 @@ Example collided_vertices() {
     example.expected = 5;
     example.caption =
         "The tool comes down through the sheet. Five vertices are inside it and have to be handled.";
-    example.eye.centre = {0, 0, 3};
+    example.eye.centre = {0, 0, 4};
     example.panels = {{.title = "as the step begins", .positions = example.before, .tool = example.start},
                       {.title = "before handling",
                        .positions = example.before,
