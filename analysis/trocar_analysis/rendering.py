@@ -50,6 +50,7 @@ def draw_organ(
     camera: Camera, organ: Surface, marked: np.ndarray, cut: bool
 ) -> tuple[np.ndarray, np.ndarray]:
     depth = np.full(camera.shape, NOWHERE)
+    from_within = np.zeros(camera.shape, bool)
     colours = np.empty((*camera.shape, 3))
     colours[:] = to_rgb(palette.BACKGROUND)
     seen = camera.see(organ.positions)
@@ -59,18 +60,17 @@ def draw_organ(
     facet_colours[marked] = to_rgb(palette.FACET_IN_TOOL)
     facet_colours *= brightness(np.where(outside[:, None], normals, -normals))[:, None]
     plane = section_depth(camera) if cut else np.full(camera.shape, np.inf)
-    line = to_rgb(palette.ORGAN_OUTLINE)
+    line = np.array(to_rgb(palette.ORGAN_OUTLINE))
     for fragment in fragments(camera, seen, organ.facets):
         near = fragment.covered & (fragment.depth > depth[fragment.window])
         near &= fragment.depth <= plane[fragment.window]
         depth[fragment.window][near] = fragment.depth[near]
-        fill = facet_colours[fragment.facet]
-        if cut and not outside[fragment.facet]:
-            colours[fragment.window][near] = to_rgb(palette.ORGAN_SECTION)
-            depth[fragment.window][near] = plane[fragment.window][near]
-            continue
+        from_within[fragment.window][near] = not outside[fragment.facet]
         share = np.clip(0.5 * LINE - fragment.to_edge / camera.pixel / FINER + 0.5, 0, 1)[near, None] * 0.55
-        colours[fragment.window][near] = (1 - share) * fill + share * np.array(line)
+        colours[fragment.window][near] = (1 - share) * facet_colours[fragment.facet] + share * line
+    if cut:
+        colours[from_within] = to_rgb(palette.ORGAN_SECTION)
+        depth[from_within] = plane[from_within]
     return np.clip(colours, 0, 1), depth
 
 

@@ -48,10 +48,7 @@ Example strain() {
     example.caption = "Every edge is a quarter longer than at rest. Edges that are shorter count alike.";
     example.eye = {.towards = {0.4, -1, 0.9}, .centre = {0, 0, 1}, .width = 36, .height = 25};
     example.panels = {{.title = "at rest", .positions = example.before, .tool = example.end},
-                      {.title = "after deformation",
-                       .positions = example.deformed,
-                       .tool = example.end,
-                       .from = example.before}};
+                      {.title = "after deformation", .positions = example.deformed, .tool = example.end}};
     return example;
 }
 
