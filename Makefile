@@ -16,7 +16,8 @@ readme_metrics = $(addprefix --metric=,depth_max_d_max facets_crossing_d_mean di
     flipped_facets_mean time_handle_p99 time_cycle_p50)
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper pictures figures everything test sanitize lint docs bench clean
+.PHONY: help packages lint_packages docs_packages configure build paper pictures figures everything test sanitize mutate \
+    lint docs bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' Makefile | expand -t 12
@@ -52,6 +53,9 @@ test: build  ## build and run the tests
 
 sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(MAKE) test PRESET=asan TROCAR_LINK_PROGRAM=OFF
+
+mutate: packages  ## make deliberate errors in the metrics and see whether a test finds each; ALL=--all tries them all
+	$(PYTHON) -B tests/mutations/mutate.py --jobs $(JOBS) $(ALL)
 
 lint: lint_packages docs configure  ## check the format, the C++, the Python and the pages; a warning is an error
 	$(sources) | xargs -0 clang-format --dry-run -Werror

@@ -4,11 +4,9 @@
 namespace trocar {
 namespace {
 
-/// The values of a column that not every file has: then a default each.
-template <class Values>
-Values values_if_there(const Table& table, const std::string& name, hid_t group,
-                       const Values& (*values_of)(const Table&, const std::string&, hid_t)) {
-    return table.find(name) == nullptr ? Values(table.rows) : values_of(table, name, group);
+/// The values of a column that not every file has: then empty texts.
+Texts texts_if_there(const Table& table, const std::string& name, hid_t group) {
+    return table.find(name) == nullptr ? Texts(table.rows) : texts(table, name, group);
 }
 
 }  // namespace
@@ -22,8 +20,7 @@ Contents read_contents(const std::filesystem::path& file) {
     const Texts& case_ids = texts(cases, "case_id", group.id());
     const Texts& build_ids = texts(cases, "build_id", group.id());
     const Texts& status = texts(cases, "status", group.id());
-    const Texts metrics = values_if_there(cases, "metrics", group.id(), texts);
-    const WholeNumbers same_state = values_if_there(cases, "same_state", group.id(), whole_numbers);
+    const Texts metrics = texts_if_there(cases, "metrics", group.id());
 
     Contents contents{.header = std::move(campaign.header), .cases = {}};
     for (std::size_t i = 0; i < cases.rows; ++i) {
@@ -31,8 +28,7 @@ Contents read_contents(const std::filesystem::path& file) {
                                   .build_id = build_ids[i],
                                   .status = status[i],
                                   .has_replay = hdf5::exists(replays.id(), case_ids[i]),
-                                  .metrics = metrics[i],
-                                  .same_state = same_state[i]});
+                                  .metrics = metrics[i]});
     }
     return contents;
 }

@@ -32,8 +32,7 @@ struct Contents {
         std::string build_id;
         std::string status;
         bool has_replay;
-        std::string metrics;      ///< the metrics that were on; empty when the file does not say
-        std::int64_t same_state;  ///< states that the run was asked to sample
+        std::string metrics;  ///< the metrics that were on; empty when the file does not say
     };
     std::vector<Case> cases;
 };

@@ -15,6 +15,7 @@
 #include "common/tool/tool_shapes.h"
 #include "experiments/cli/commands.h"
 #include "experiments/metrics/metric.h"
+#include "experiments/run/case_series.h"
 #include "experiments/scenes/scene.h"
 #include "strategies/registry.h"
 
@@ -99,9 +100,14 @@ void list_metrics() {
         rows.push_back({metric.name, metric.units, fmt::format("{}", fmt::join(moments, ", ")), metric.better,
                         metric.definition});
     }
+    for (const Series& time : empty_series({}).times) {
+        rows.push_back({time.name, time.units, "step", "low", time.long_name});
+    }
     print_aligned(rows, "  ");
     fmt::print(
-        "  H: after handling; D: after deformation. Result files also hold the times of the phases.\n");
+        "  before: as the step found the organ; H: after handling; D: after deformation; end: after the last "
+        "step.\n"
+        "  Pages with formulas, pictures and limits: experiments/metrics/README.md\n");
 }
 
 struct Section {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* footer =
     "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
-    "Examples:\n"
+    "Example:\n"
     "  trocar show results.h5 --by label,speed --metric depth_max_d_max\n"
     "  trocar show results.h5 --states --only run_label=nearest-face";
 

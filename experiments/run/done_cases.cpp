@@ -10,8 +10,11 @@ namespace {
 
 void add_cases(DoneCases& done, const std::filesystem::path& file, const Contents& contents) {
     for (const Contents::Case& one : contents.cases) {
-        done[one.case_id] = {
-            .file = file, .build_id = one.build_id, .status = one.status, .has_replay = one.has_replay};
+        done[one.case_id] = {.file = file,
+                             .build_id = one.build_id,
+                             .status = one.status,
+                             .has_replay = one.has_replay,
+                             .metrics = one.metrics};
     }
 }
 

@@ -12,6 +12,7 @@ struct DoneCase {
     std::string build_id;
     std::string status;
     bool has_replay = false;
+    std::string metrics;  ///< those that were taken, as metric_names has them
 };
 
 /// Finished cases by their case_id.

@@ -152,6 +152,8 @@ std::vector<Cell> judging_cells(const CaseInputs& inputs, const CaseOptions& opt
         {"metrics", "", "metrics that were taken", metric_names(options.metrics)},
         {"judged_rate", "Hz", "how often they were taken",
          inputs.cycle.rate / sampled_every(inputs.cycle.rate)},
+        {"same_state", "1", "states to hand to every strategy",
+         static_cast<std::int64_t>(options.same_state)},
         {"window_steps", "1", "steps over which figures are taken", static_cast<std::int64_t>(counted)},
         {"missing", "", "steps of them without a value: for each series and reason how many, as JSON",
          missing_in_window(gathered.series)},

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <mutex>
+#include <ranges>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -20,10 +22,37 @@
 namespace trocar {
 namespace {
 
-bool is_done(const DoneCases& done, const CaseInputs& inputs, const RunRequest& request) {
+bool was_taken(const Metric* metric, std::string_view names) {
+    return std::ranges::any_of(std::views::split(names, ','),
+                               [&](const auto name) { return std::ranges::equal(name, metric->name); });
+}
+
+/// What an earlier run of the same build left of the case; nullptr when it left nothing.
+const DoneCase* left_of(const CaseInputs& inputs, const DoneCases& done, const RunRequest& request) {
     const auto found = done.find(inputs.case_id);
-    return found != done.end() && found->second.build_id == request.build_id &&
-           (found->second.has_replay || !request.options.replay);
+    return found != done.end() && found->second.build_id == request.build_id ? &found->second : nullptr;
+}
+
+bool is_done(const DoneCases& done, const CaseInputs& inputs, const RunRequest& request) {
+    const DoneCase* left = left_of(inputs, done, request);
+    return left != nullptr && (left->has_replay || !request.options.replay) &&
+           std::ranges::all_of(request.options.metrics,
+                               [&](const Metric* metric) { return was_taken(metric, left->metrics); });
+}
+
+/// What is asked of the case, and what an earlier run already has of it: running it again takes nothing away.
+CaseOptions options_of(const CaseInputs& inputs, const DoneCases& done, const RunRequest& request) {
+    CaseOptions options = request.options;
+    const DoneCase* left = left_of(inputs, done, request);
+    if (left == nullptr) return options;
+    options.replay = options.replay || left->has_replay;
+    std::vector<const Metric*> both;
+    for (const Metric& metric : all_metrics()) {
+        const bool asked = std::ranges::find(options.metrics, &metric) != options.metrics.end();
+        if (asked || was_taken(&metric, left->metrics)) both.push_back(&metric);
+    }
+    options.metrics = std::move(both);
+    return options;
 }
 
 std::vector<CaseInputs> pending_of(const RunRequest& request, const DoneCases& done) {
@@ -108,25 +137,28 @@ RunOutcome run_sweep(const RunRequest& request,
     SharedScenes scenes(pending);
     const SceneSource scene_of = [&](const CaseInputs& inputs) { return scenes.scene_of(inputs); };
     std::mutex guard;  // of `done` and `outcome`, and of on_progress
-    for_each_case(pending, request.jobs, stop,
-                  [&](const CaseInputs& inputs, const std::stop_token& stop_case) {
-                      const std::string start = now_utc();
-                      const auto strategy = make_strategy(inputs.strategy.name, inputs.strategy.options);
-                      std::optional<CaseRecord> record =
-                          run_case(inputs, scene_of, *strategy, request.options, stop_case);
-                      if (!record) return;
-                      const std::filesystem::path file = parts.path() / (inputs.case_id + ".h5");
-                      store_case(*record, request, file, start);
-                      const std::string status = text_cell(*record, "status");
-                      const std::scoped_lock lock(guard);
-                      done[inputs.case_id] = {.file = file,
-                                              .build_id = request.build_id,
-                                              .status = status,
-                                              .has_replay = record->replay.has_value()};
-                      if (status != status_name(CaseStatus::complete))
-                          outcome.failures.push_back(failure_line(inputs, *record));
-                      on_progress(++outcome.ran, pending.size());
-                  });
+    for_each_case(
+        pending, request.jobs, stop, [&](const CaseInputs& inputs, const std::stop_token& stop_case) {
+            const std::string start = now_utc();
+            const auto strategy = make_strategy(inputs.strategy.name, inputs.strategy.options);
+            std::unique_lock lock(guard);
+            const CaseOptions options = options_of(inputs, done, request);
+            lock.unlock();
+            std::optional<CaseRecord> record = run_case(inputs, scene_of, *strategy, options, stop_case);
+            if (!record) return;
+            const std::filesystem::path file = parts.path() / (inputs.case_id + ".h5");
+            store_case(*record, request, file, start);
+            const std::string status = text_cell(*record, "status");
+            lock.lock();
+            done[inputs.case_id] = {.file = file,
+                                    .build_id = request.build_id,
+                                    .status = status,
+                                    .has_replay = record->replay.has_value(),
+                                    .metrics = metric_names(options.metrics)};
+            if (status != status_name(CaseStatus::complete))
+                outcome.failures.push_back(failure_line(inputs, *record));
+            on_progress(++outcome.ran, pending.size());
+        });
     outcome.interrupted = outcome.ran < pending.size();
     merge_done(request, done);
     parts.clear();

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "common/cycle/check_response.h"
 #include "experiments/run/case_series.h"
 #include "experiments/scenes/draws.h"
@@ -78,6 +80,13 @@ std::vector<Cell> row(const FoundState& state, const StrategyChoice& choice, con
         {"label", "", "its label in tables and figures", choice.label},
         {"reason", "", "why it gave no answer, where it did not", reason},
     };
+    nlohmann::json missing = nlohmann::json::object();
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        if (values[k].missing == Missing::nothing) continue;
+        missing[series_name(*readings[k].metric, readings[k].moment)] = missing_reason(values[k].missing);
+    }
+    cells.push_back(
+        {"missing", "", "why values are missing, as JSON", missing.empty() ? "" : missing.dump()});
     for (std::size_t k = 0; k < readings.size(); ++k) {
         const auto& [metric, moment] = readings[k];
         cells.push_back(

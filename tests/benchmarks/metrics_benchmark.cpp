@@ -67,7 +67,7 @@ void time_metrics(benchmark::State& state, const std::string& choice, const std:
     const Pose start{.rotation = Mat3::Identity(), .position = {0, 0, top - depth + 2 * motion}};
     const std::vector<Step> steps = two_steps(organ, tool, start);
     const Region region =
-        region_of(judged_organ, vertices_near_sweep(organ, tool, std::vector{start, steps.back().tool}));
+        region_of(judged_organ, vertices_near_sweep(organ, tool, start, std::vector{steps.back().tool}));
     double judged = 0;  // ns
     for (auto _ : state) {
         Judge judge({judged_organ, judged_tool, organ.rest.positions, start},
@@ -91,7 +91,7 @@ void time_metrics(benchmark::State& state, const std::string& choice, const std:
 int main(int argc, char** argv) {
     std::vector<std::string> choices = {"all", "fast"};
     for (const trocar::Metric& metric : trocar::all_metrics()) choices.push_back(metric.name);
-    for (const std::string organ : {"sphere@4mm", "sphere@1.9mm"}) {
+    for (const std::string organ : {"sphere@4mm", "sphere@1.75mm"}) {
         for (const std::string& choice : choices) {
             const std::string name = fmt::format("metrics/{}/{}", organ, choice);
             benchmark::RegisterBenchmark(name.c_str(), trocar::time_metrics, choice, organ)

@@ -10,14 +10,19 @@
 namespace trocar {
 
 /// Runs one case with the given strategy and a scene of its own.
-inline std::optional<CaseRecord> run_alone(const CaseInputs& inputs, Strategy& strategy, bool with_replay,
-                                           const std::stop_token& stop = {}) {
+inline std::optional<CaseRecord> run_alone(const CaseInputs& inputs, Strategy& strategy,
+                                           const CaseOptions& options, const std::stop_token& stop = {}) {
     const SceneSource scene_of = [](const CaseInputs& of) {
         return std::make_shared<const PreparedScene>(prepare_scene_of(of));
     };
+    return run_case(inputs, scene_of, strategy, options, stop);
+}
+
+inline std::optional<CaseRecord> run_alone(const CaseInputs& inputs, Strategy& strategy, bool with_replay,
+                                           const std::stop_token& stop = {}) {
     CaseOptions options;
     options.replay = with_replay;
-    return run_case(inputs, scene_of, strategy, options, stop);
+    return run_alone(inputs, strategy, options, stop);
 }
 
 /// The same with the strategy that the inputs name.

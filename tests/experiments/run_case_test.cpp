@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,6 +85,69 @@ TEST(RunCase, FiguresFollowFromTheSeriesOverTheWindow) {
     }
     EXPECT_LT(steps, window.values.size());
     EXPECT_EQ(std::get<double>(value(record, "collided_vertices_mean")), sum / steps);
+}
+
+std::vector<double> values(const CaseRecord& record, std::string_view name) {
+    return std::ranges::find(record.series, name, &Series::name)->values;
+}
+
+/// One in which vertices collide in several steps.
+CaseInputs finer_case() {
+    const SweepFolder folder;
+    return list_cases(folder.read(replaced(small_sweep, "sphere@12mm", "sphere@4mm"))).front();
+}
+
+CaseRecord run_asking(CaseInputs inputs, const CaseOptions& options) {
+    const auto strategy = make_strategy(inputs.strategy.name, inputs.strategy.options);
+    return run_alone(inputs, *strategy, options).value();
+}
+
+CaseOptions asking_for(std::string_view metrics) {
+    CaseOptions options;
+    options.metrics = choose_metrics(metrics);
+    return options;
+}
+
+TEST(RunCase, TellsHowItWasJudged) {
+    const CaseRecord record = run_asking(small_case(), asking_for("drag,recovery"));
+    EXPECT_EQ(text(record, "metrics"), "drag,recovery");
+    EXPECT_EQ(std::get<double>(value(record, "judged_rate")), 30);
+    const std::vector<double> window = values(record, "window");
+    EXPECT_EQ(std::get<std::int64_t>(value(record, "window_steps")), std::ranges::count(window, 1));
+    EXPECT_GT(std::get<double>(value(record, "recovery_final")), 0);
+    for (const std::string& name : columns(record)) EXPECT_FALSE(name.starts_with("depth")) << name;
+}
+
+TEST(RunCase, TellsWhyValuesAreMissing) {
+    const CaseRecord record = run_asking(finer_case(), asking_for("collided_vertices,displacement_mean"));
+    const std::vector<double> window = values(record, "window"),
+                              collided = values(record, "collided_vertices");
+    const std::vector<double> displacement = values(record, "displacement_mean");
+    int missing = 0;
+    for (std::size_t step = 0; step < window.size(); ++step) {
+        EXPECT_EQ(std::isnan(displacement[step]), collided[step] == 0) << "step " << step;
+        if (window[step] == 1 && collided[step] == 0) ++missing;
+    }
+    ASSERT_GT(missing, 0);
+    const auto first = std::ranges::find(collided, 0) - collided.begin();
+    EXPECT_EQ(text(record, "missing"),
+              fmt::format(R"({{"displacement_mean":{{"no vertex collided":{}}}}})", missing));
+    const auto series = std::ranges::find(record.series, "displacement_mean", &Series::name);
+    EXPECT_THAT(series->missing, testing::StartsWith(fmt::format(R"({{"no vertex collided":[[{},)", first)));
+    EXPECT_EQ(std::ranges::find(record.series, "collided_vertices", &Series::name)->missing, "");
+}
+
+TEST(RunCase, IsJudgedAtMostThirtyTimesASecond) {
+    CaseInputs inputs = finer_case();
+    inputs.cycle.rate = 75;
+    const CaseRecord record = run_asking(inputs, asking_for("collided_vertices,tunnelled"));
+    EXPECT_EQ(std::get<double>(value(record, "judged_rate")), 25);
+    const std::vector<double> collided = values(record, "collided_vertices");
+    for (std::size_t step = 0; step < collided.size(); ++step) {
+        EXPECT_EQ(std::isnan(collided[step]), (step + 1) % 3 != 0) << "step " << step;
+    }
+    EXPECT_EQ(text(record, "missing"), "") << "a step that is not sampled misses nothing";
+    EXPECT_GT(std::get<double>(value(record, "collided_vertices_max")), 0);
 }
 
 void expect_no_figures(const CaseRecord& record) {

@@ -85,7 +85,7 @@ TEST_F(RunSweep, WithoutReplaysThereIsNothingForParaView) {
 TEST_F(RunSweep, CasesWithoutReplayRunAgainWhenReplaysAreAskedFor) {
     run_sweep(request(), silent, {});
     RunRequest with_replay = request();
-    with_replay.replay = true;
+    with_replay.options.replay = true;
     with_replay.cases.resize(1);
     const RunOutcome outcome = run_sweep(with_replay, silent, {});
     EXPECT_EQ(outcome.ran, 1U);
@@ -94,6 +94,31 @@ TEST_F(RunSweep, CasesWithoutReplayRunAgainWhenReplaysAreAskedFor) {
     EXPECT_TRUE(contents.cases[0].has_replay);
     EXPECT_FALSE(contents.cases[1].has_replay);
     EXPECT_EQ(contents.cases.size(), 4U) << "cases that are not asked for stay";
+}
+
+RunRequest taking(RunRequest request, std::string_view metrics) {
+    request.options.metrics = choose_metrics(metrics);
+    return request;
+}
+
+TEST_F(RunSweep, CasesRunAgainForMetricsThatWereNotTaken) {
+    run_sweep(taking(request(), "all"), silent, {});
+    EXPECT_EQ(run_sweep(taking(request(), "fast"), silent, {}).ran, 0U) << "all of them were taken";
+
+    std::filesystem::remove(out_);
+    run_sweep(taking(request(), "drag"), silent, {});
+    EXPECT_EQ(read_contents(out_).cases[0].metrics, "drag");
+    EXPECT_EQ(run_sweep(taking(request(), "drag"), silent, {}).ran, 0U);
+    EXPECT_EQ(run_sweep(taking(request(), "depth_max"), silent, {}).ran, 4U);
+    EXPECT_EQ(read_contents(out_).cases[0].metrics, "depth_max,drag") << "what was measured stays";
+}
+
+TEST_F(RunSweep, CasesThatRunAgainForMetricsKeepTheirReplay) {
+    RunRequest with_replay = taking(request(), "drag");
+    with_replay.options.replay = true;
+    run_sweep(with_replay, silent, {});
+    EXPECT_EQ(run_sweep(taking(request(), "strain"), silent, {}).ran, 4U);
+    EXPECT_TRUE(read_contents(out_).cases[0].has_replay);
 }
 
 TEST_F(RunSweep, AnInterruptedRunKeepsWholeCasesAndGoesOn) {

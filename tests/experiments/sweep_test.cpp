@@ -171,6 +171,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "did you mean \"substeps\"?"},
         Mistake{"Substeps", "seeds = 2", "seeds = 2\n[deformation]\nsubsteps = 0", "9:12", "1 to 10000"},
         Mistake{"Damping", "seeds = 2", "seeds = 2\n[deformation]\ndamping = -1", "9:11", "negative"},
+        Mistake{"CompareKey", "seeds = 2", "seeds = 2\n[compare]\nsame_states = 3", "9:1",
+                "did you mean \"same_state\"?"},
+        Mistake{"SameState", "seeds = 2", "seeds = 2\n[compare]\nsame_state = -1", "9:14", "0 to 1000"},
         Mistake{"Date", "seeds = 2", "seeds = 2009-11-05", "7:9", "dates"}),
     [](const auto& mistake) { return mistake.param.name; });
 

@@ -73,14 +73,11 @@ TEST_F(WriteTest, ContentsTellHeaderAndCases) {
 TEST_F(WriteTest, ContentsTellWhatWasMeasured) {
     CaseRecord record = sample_case("a1");
     record.cells.push_back({"metrics", "", "metrics that were on", "drag,depth_max"});
-    record.cells.push_back({"same_state", "1", "states to sample", std::int64_t{5}});
     write_case(path("a1.h5"), sample_header(), record);
     const Contents::Case said = read_contents(path("a1.h5")).cases.at(0);
     EXPECT_EQ(said.metrics, "drag,depth_max");
-    EXPECT_EQ(said.same_state, 5);
     const Contents::Case silent = read_contents(written("a2")).cases.at(0);
     EXPECT_EQ(silent.metrics, "");
-    EXPECT_EQ(silent.same_state, 0);
 }
 
 TEST_F(WriteTest, ReplayComesBackStepByStep) {

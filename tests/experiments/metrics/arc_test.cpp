@@ -108,7 +108,7 @@ TEST(Arc, ChordsAreWithinTheStatedError) {
         const SeenWay way = random_way(*rc::gen::element(0.01, 0.1, 0.7));
         const Arc arc = way.arc();
         const int chords = arc.chords(arc_error);
-        const int chord = *rc::gen::inRange(0, chords);
+        const int chord = static_cast<int>(random_number(0, 0.99) * chords);
         double largest = 0;
         for (int k = 0; k <= 16; ++k) {
             const double along = k / 16.0;

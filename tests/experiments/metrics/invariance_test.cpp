@@ -76,7 +76,9 @@ MadeUp make_up(std::uint64_t seed) {
         scene.poses.push_back(pose);
         scene.found.push_back(now);
         for (Vec3& position : now) {
-            if ((position - pose.position).norm() < 15) position += random.in_cube(6);
+            // Some are thrown far enough to come out on the tool's other side.
+            const double reach = random(0, 1) < 0.3 ? 30 : 6;
+            if ((position - pose.position).norm() < 15) position += random.in_cube(reach);
         }
         scene.handled.push_back(now);
         for (Vec3& position : now) position += random.in_cube(0.5);
@@ -151,8 +153,9 @@ void expect_same(const std::vector<Measured>& one, const std::vector<Measured>& 
         const std::string name = series_name(*reading.metric, reading.moment);
         EXPECT_EQ(one[k].missing, other[k].missing) << name;
         if (one[k].missing != Missing::nothing) continue;
+        // A small volume is what is left of large ones: its rounding is not smaller than theirs.
         const bool count = one[k].value == std::floor(one[k].value);
-        EXPECT_NEAR(one[k].value, other[k].value, count ? 1e-12 : 1e-9 * std::abs(one[k].value) + 1e-13)
+        EXPECT_NEAR(one[k].value, other[k].value, count ? 1e-11 : 1e-9 * std::abs(one[k].value) + 1e-11)
             << name;
     }
 }

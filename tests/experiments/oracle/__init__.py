@@ -1,0 +1,1 @@
+"""The oracle: a case's metrics recomputed from its replay by numpy, sharing nothing with the program's judge."""
