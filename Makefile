@@ -16,8 +16,8 @@ readme_metrics = $(addprefix --metric=,depth_max_d_max facets_crossing_d_mean di
     flipped_facets_mean time_handle_p99 time_cycle_p50)
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper figures everything test sanitize mutate lint docs \
-    bench clean
+.PHONY: help packages lint_packages docs_packages configure build paper pictures figures everything test sanitize mutate \
+    lint docs bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' Makefile | expand -t 12
@@ -34,7 +34,10 @@ paper: build  ## run the paper's comparison: its table, its picture and its resu
 	    release=contact) --replay -o build/paper/rapid.h5
 	build/trocar snapshot build/paper/rapid.h5 -o build/paper/paper.png
 
-figures: paper  ## make the table and the picture of README.md anew
+pictures: build  ## make the pictures on the metrics' pages anew
+	build/trocar snapshot --metric all -o experiments/metrics/pages/pictures
+
+figures: paper pictures  ## make the table and the picture of README.md anew, and those of the metrics' pages
 	build/trocar show build/paper/paper.h5 $(addprefix --only ,release=contact scene=penetration) --markdown \
 	    --by speed,label $(readme_metrics) > $(readme_table)
 	cp build/paper/paper.png results/reference/paper.png

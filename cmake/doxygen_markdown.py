@@ -3,7 +3,7 @@
 GitHub resolves a link from the folder that the file lies in. Doxygen takes the first file of that name, of which there
 are many README.md, and knows no anchors of headings. So every heading gets a label that is made of the file's path and
 the heading's words, and links to Markdown files become references to labels; links to other files become plain
-text. Doxygen also leaves links alone whose target has neither a dot nor a slash, and shows the backticks of a
+text; and images are named from the top folder. Doxygen also leaves links alone whose target has neither a dot nor a slash, and shows the backticks of a
 reference's text.
 """
 
@@ -38,9 +38,16 @@ def link(page, match):
     return f"[{text}](./{place})" if str(place) in COPIED or not (ROOT / place).exists() else text
 
 
+def image(page, match):
+    """Doxygen looks for images from the top folder."""
+    text, target = match.groups()
+    return match[0] if re.match(r"\w+:", target) else f"![{text}]({os.path.relpath(ROOT / page.parent / target, ROOT)})"
+
+
 def translate(page, text):
     parts = re.split(r"(^```.*?^```$)", text, flags=re.MULTILINE | re.DOTALL)  # every second one is code
     for i in range(0, len(parts), 2):
+        parts[i] = re.sub(r"!\[([^][]*)\]\(([^() ]*)\)", lambda match: image(page, match), parts[i])
         parts[i] = re.sub(r"(?<!!)\[([^][]*)\]\(([^() ]*)\)", lambda match: link(page, match), parts[i])
         parts[i] = re.sub(r"^(#+ )(.*)$", lambda match: f"{match[0]} {{#{label(page, anchor(match[2]))}}}", parts[i],
                           flags=re.MULTILINE)

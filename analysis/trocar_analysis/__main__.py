@@ -1,4 +1,4 @@
-"""The command line: `/usr/bin/python3 -m trocar_analysis show|snapshot|scene …`. Exit code 0 when done, 2 for bad
+"""The command line: `/usr/bin/python3 -m trocar_analysis show|snapshot|scene|metrics …`. Exit code 0 when done, 2 for bad
 usage or input, with one line on stderr that says what is wrong."""
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="show|snapshot|scene")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="show|snapshot|scene|metrics")
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
@@ -65,6 +65,10 @@ def make_parser() -> argparse.ArgumentParser:
     scene.add_argument("file", help="description of the scene, JSON")
     scene.add_argument("-o", "--output", required=True, metavar="FILE", help="picture: .png or .svg")
     scene.set_defaults(function=run_scene)
+
+    metrics = commands.add_parser("metrics", help="pictures of what `trocar snapshot --metric` has measured")
+    metrics.add_argument("file", help="description of the pictures, JSON")
+    metrics.set_defaults(function=run_metrics)
     return parser
 
 
@@ -90,6 +94,12 @@ def run_scene(arguments: argparse.Namespace) -> None:
     from .scene_picture import draw_scene
 
     print(draw_scene(arguments.file, arguments.output))
+
+
+def run_metrics(arguments: argparse.Namespace) -> None:
+    from .metric_picture import draw_metrics
+
+    print(draw_metrics(arguments.file))
 
 
 def main() -> int:

@@ -8,6 +8,7 @@
 
 #include "experiments/cli/analysis_program.h"
 #include "experiments/cli/commands.h"
+#include "experiments/cli/metric_pictures.h"
 #include "experiments/cli/scene_picture.h"
 #include "experiments/input_error.h"
 
@@ -15,12 +16,16 @@ namespace trocar {
 namespace {
 
 constexpr const char* footer =
-    "Either a step of a run that has stored replays (trocar run --replay), or, with --scene, a scene before\n"
-    "anything runs: where the tool starts, where it goes, what it starts in.\n"
+    "A step of a run that has stored replays (trocar run --replay); or, with --scene, a scene before "
+    "anything\n"
+    "runs: where the tool starts, where it goes, what it starts in; or, with --metric, a made-up step that "
+    "the\n"
+    "metric catches, with its value.\n"
     "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
     "Example:\n"
     "  trocar snapshot results.h5 --case 3f2a --step deepest -o step.png\n"
-    "  trocar snapshot --scene penetration --organ liver@4mm --seed 3 -o scene.png";
+    "  trocar snapshot --scene penetration --organ liver@4mm --seed 3 -o scene.png\n"
+    "  trocar snapshot --metric depth_max -o depth_max.png";
 
 /// What of a result file to draw.
 struct StepRequest {
@@ -41,15 +46,18 @@ struct StepRequest {
 struct SnapshotOptions {
     StepRequest step;
     SceneRequest scene;
-    std::string output;
+    std::string metric, output;
 };
 
 int snapshot(const SnapshotOptions& options) {
-    const bool of_scene = !options.scene.scene.empty();
-    if (of_scene == !options.step.file.empty()) {
-        throw InputError("snapshot needs either a result file or --scene (see trocar snapshot --help)");
+    const bool of_step = !options.step.file.empty(), of_scene = !options.scene.scene.empty(),
+               of_metric = !options.metric.empty();
+    if (of_step + of_scene + of_metric != 1) {
+        throw InputError(
+            "snapshot needs one of a result file, --scene and --metric (see trocar snapshot --help)");
     }
-    if (!of_scene) return run_analysis(options.step.arguments(options.output));
+    if (of_step) return run_analysis(options.step.arguments(options.output));
+    if (of_metric) return draw_metric(options.metric, options.output);
     if (options.scene.organ.empty()) throw InputError("--scene needs --organ, such as --organ liver@4mm");
     return draw_scene(options.scene, options.output);
 }
@@ -86,10 +94,15 @@ void add_scene_options(CLI::App& command, SceneRequest& scene) {
 
 void add_snapshot(CLI::App& app, Program& program) {
     auto options = std::make_shared<SnapshotOptions>();
-    CLI::App* command = app.add_subcommand("snapshot", "Draw one step of a case, or a scene, as a picture");
+    CLI::App* command = app.add_subcommand(
+        "snapshot", "Draw one step of a case, a scene, or what a metric counts, as a picture");
     command->footer(footer);
     add_step_options(*command, options->step);
     add_scene_options(*command, options->scene);
+    command->add_option(
+        "--metric", options->metric,
+        "draw the example of this metric; see trocar list metrics. With \"all\" of each, into\n"
+        "the folder -o");
     command->add_option("-o,--output", options->output, "picture to write: .png or .svg")->required();
     command->callback([options, &program] { program.exit_code = snapshot(*options); });
 }

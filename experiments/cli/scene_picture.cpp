@@ -6,13 +6,14 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp is POSIX
 
 #include "common/geometry/mesh_error.h"
 #include "common/geometry/mesh_input.h"
 #include "common/geometry/organ_shapes.h"
 #include "common/tool/tool_shapes.h"
 #include "experiments/cli/analysis_program.h"
+#include "experiments/cli/picture_json.h"
+#include "experiments/cli/temporary_folder.h"
 #include "experiments/input_error.h"
 #include "experiments/scenes/prepared_scene.h"
 #include "experiments/sweep/hash.h"
@@ -22,28 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-/// A folder of its own, removed with all that is in it.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "trocar-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) {
-            throw InputError(fmt::format("cannot make a folder in {}", fs::temp_directory_path().string()));
-        }
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
 
 Organ organ_of(const SceneRequest& request) {
     if (fs::is_regular_file(request.organ)) return read_organ(request.organ, request.organ_size).organ;
@@ -68,44 +47,25 @@ std::optional<Recording> recording_of(const SceneRequest& request, const SceneEn
     }
 }
 
-json to_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
-json to_json(std::span<const Vec3> points) {
-    json list = json::array();
-    for (const Vec3& point : points) list.push_back(to_json(point));
-    return list;
-}
-
-/// Rows of the 4 by 4 matrix that takes the tool's coordinates to the world's.
-json to_json(const Pose& pose) {
-    json rows = json::array();
-    for (int row = 0; row < 3; ++row) {
-        rows.push_back(
-            {pose.rotation(row, 0), pose.rotation(row, 1), pose.rotation(row, 2), pose.position[row]});
-    }
-    rows.push_back({0, 0, 0, 1});
-    return rows;
-}
-
 json description_of(const SceneRequest& request, const Organ& organ, const Tool& tool,
                     const PreparedScene& scene) {
     json poses = json::array();
-    for (const Pose& pose : scene.poses) poses.push_back(to_json(pose));
+    for (const Pose& pose : scene.poses) poses.push_back(picture_json(pose));
     return {{"scene", request.scene},
             {"organ", organ.name},
             {"tool", tool.name},
             {"speed", request.speed},
             {"seed", request.seed},
-            {"organ_positions", to_json(scene.start.organ.positions)},
+            {"organ_positions", picture_json(scene.start.organ.positions)},
             {"organ_facets", organ.rest.facets},
-            {"tool_positions", to_json(tool.mesh.positions)},
+            {"tool_positions", picture_json(tool.mesh.positions)},
             {"tool_facets", tool.mesh.facets},
-            {"start", to_json(scene.start.tool)},
+            {"start", picture_json(scene.start.tool)},
             {"poses", poses},
             {"window", scene.window},
-            {"entry", to_json(scene.placement.entry)},
-            {"normal", to_json(scene.placement.normal)},
-            {"tangent", to_json(scene.placement.tangent)}};
+            {"entry", picture_json(scene.placement.entry)},
+            {"normal", picture_json(scene.placement.normal)},
+            {"tangent", picture_json(scene.placement.tangent)}};
 }
 
 }  // namespace

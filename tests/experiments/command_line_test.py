@@ -5,6 +5,7 @@
 
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -18,6 +19,7 @@ except ImportError:
     h5py = None
 
 PROGRAM = ""
+PAGES = pathlib.Path(__file__).resolve().parents[2] / "experiments" / "metrics" / "pages"
 
 SWEEP = """name = "small"
 strategies = ["nearest-face", "fuzzy-per-vertex"]
@@ -257,6 +259,40 @@ class CommandLine(unittest.TestCase):
         self.assertGreater(kept, 0)
         text = self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1", "--only", "seed=20").stdout
         self.assertIn("8 of 8 cases: 8 complete", text)
+
+    # Pictures of metrics
+
+    @unittest.skipIf(h5py is None, "the analysis needs its packages")
+    def test_snapshot_draws_what_a_metric_counts(self):
+        for name, beginning in (("x.png", b"\x89PNG"), ("x.svg", b"<?xml")):
+            target = self.folder / name
+            said = self.expect_done("snapshot", "--metric", "depth_max", "-o", target).stdout
+            self.assertIn("depth_max = 2 mm", said)
+            self.assertTrue(target.read_bytes().startswith(beginning))
+        self.expect_refused("x.pdf: a picture's name ends in", "snapshot", "--metric", "drag", "-o", self.folder / "x.pdf")
+
+    def test_snapshot_needs_one_thing_to_draw(self):
+        target = self.folder / "x.png"
+        self.expect_refused('did you mean "depth_max"?', "snapshot", "--metric", "depth_mix", "-o", target)
+        self.expect_refused("is no folder", "snapshot", "--metric", "all", "-o", target)
+        for arguments in ([], ["--metric", "drag", "--scene", "sliding", "--organ", "sheet"], [self.out, "--metric", "drag"]):
+            self.expect_refused("snapshot needs one of", "snapshot", *arguments, "-o", target)
+        self.assertFalse(target.exists())
+
+    def test_every_metric_has_a_page_with_its_picture(self):
+        table = self.expect_done("list", "metrics").stdout
+        metrics = re.findall(r"^  (\w+) +\S+ +(?:before|H|D|end|step)\b", table, re.MULTILINE)
+        self.assertGreater(len(metrics), 20)
+        texts = [page.read_text() for page in sorted(PAGES.glob("*.md"))]
+        readme = (PAGES.parent / "README.md").read_text()
+        for name in metrics:
+            with self.subTest(name):
+                own = [text for text in texts if name in text.splitlines()[0][2:].split(", ")]
+                self.assertEqual(len(own), 1, "one page has it in its title")
+                self.assertIn(f"`{name}`", readme)
+                if not name.startswith("time_"):
+                    self.assertIn(f"(pictures/{name}.png)", own[0])
+                    self.assertTrue((PAGES / "pictures" / f"{name}.png").exists())
 
     @unittest.skipIf(h5py is None, "needs python3-h5py")
     def test_results_do_not_depend_on_the_number_of_jobs(self):
