@@ -66,8 +66,11 @@ void Paths::move(const JudgedState& before) {
         const auto vertex = static_cast<Index>(k);
         Passage passage = passage_of(vertex);
         const int chords = arc.chords(arc_error);
-        for (int chord = 0; chord < chords; ++chord) {
-            follow(tool, arc.at(double(chord) / chords), arc.at(double(chord + 1) / chords), passage);
+        Vec3 here = in_tool_[k];
+        for (int chord = 1; chord <= chords; ++chord) {
+            const Vec3 next = arc.at(static_cast<double>(chord) / chords);
+            follow(tool, here, next, passage);
+            here = next;
         }
         keep(vertex, passage);
     }

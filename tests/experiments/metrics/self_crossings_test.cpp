@@ -128,7 +128,9 @@ TEST_F(SelfCrossingsOf, TwoTentsWhoseTopsTouch) {
     const Index one = nearest_to({-20, 0, 0}), other = nearest_to({20, 0, 0});
     std::vector<Vec3> positions = sheet.rest.positions;
     positions[one] = positions[other] = {1, 2, 30};
-    const auto facets_around = [&](Index vertex) { return double(sheet.adjacency.ring(vertex).size()); };
+    const auto facets_around = [&](Index vertex) {
+        return static_cast<double>(sheet.adjacency.ring(vertex).size());
+    };
     EXPECT_EQ(metric(sheet, positions), facets_around(one) * facets_around(other));
     positions[one].x() -= 1e-6;
     EXPECT_EQ(metric(sheet, positions), 0);
@@ -198,7 +200,8 @@ std::vector<Vec3> random_displacement(const std::vector<Vec3>& rest) {
     std::vector<Vec3> positions = rest;
     const double size = std::pow(10, random_number(-2, 2));
     const auto any_vertex = [&] { return random_choice(rest.size()); };
-    const Vec3 centre = rest[any_vertex()], way = size * random_direction();
+    const Vec3& centre = rest[any_vertex()];
+    const Vec3 way = size * random_direction();
     const double width = random_number(3, 40);
     switch (random_choice(4)) {
         case 0:  // a few vertices

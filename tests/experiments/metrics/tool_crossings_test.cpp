@@ -166,9 +166,9 @@ TEST(ToolCrossingsAt, AreTheSameForAMovedScene) {
         const auto around = [] {
             return Vec3(random_number(-6, 6), random_number(-6, 6), random_number(5, 9));
         };
-        const Vec3 start = around(), handled = around();
+        const Vec3 here = around(), there = around();
         const Pose from = at(random_number(4, 9) * random_direction()), to = at(random_direction());
-        const std::size_t crossings = one.crossings(start, from, to, handled);
+        const std::size_t crossings = one.crossings(here, from, to, there);
         crossed += crossings;
         const Pose frame = turned_about({3, 4, 5}, random_direction(), random_number(-3, 3));
         const auto moved = [&](const Pose& pose) {
@@ -176,10 +176,10 @@ TEST(ToolCrossingsAt, AreTheSameForAMovedScene) {
                         .position = frame.to_world(pose.position)};
         };
         RC_ASSERT(crossings ==
-                  one.crossings(frame.to_world(start), moved(from), moved(to), frame.to_world(handled)));
+                  one.crossings(frame.to_world(here), moved(from), moved(to), frame.to_world(there)));
         // What handling moves right through it moves right through on the way back, too.
-        RC_PRE(!one.tool().contains(start) && !one.tool().contains(handled));
-        RC_ASSERT(one.crossings(start, {}, {}, handled) == one.crossings(handled, {}, {}, start));
+        if (one.tool().contains(here) || one.tool().contains(there)) return;
+        RC_ASSERT(one.crossings(here, {}, {}, there) == one.crossings(there, {}, {}, here));
     }));
     EXPECT_GT(crossed, 5U);
 }

@@ -167,9 +167,12 @@ struct RandomWay {
             last = point;
         };
         for (int k = 0; k <= looks; ++k) {
-            look_at(judged_position(from, handled + double(k) / looks * (deformed - handled)));
+            const double part = static_cast<double>(k) / looks;
+            look_at(judged_position(from, handled + part * (deformed - handled)));
         }
-        for (int k = 1; k <= looks; ++k) look_at(judged_position(tool_at(double(k) / looks), deformed));
+        for (int k = 1; k <= looks; ++k) {
+            look_at(judged_position(tool_at(static_cast<double>(k) / looks), deformed));
+        }
         return seen;
     }
 };
