@@ -21,10 +21,12 @@ std::vector<Vec3> tool_points(const SurfaceMesh& tool) {
         const auto& [a, b, c] = tool.facets[facet];
         const Vec3 corner = tool.positions[a], to_b = tool.positions[b] - corner,
                    b_to_c = tool.positions[c] - tool.positions[b];
-        const auto k = [&] { return static_cast<double>(points.size()); };
-        for (double at = (k() + 0.5) * share; at < passed + areas[facet]; at = (k() + 0.5) * share) {
+        while (true) {
+            const auto k = static_cast<double>(points.size());
+            const double at = (k + 0.5) * share;
+            if (at >= passed + areas[facet]) break;
             const double down = std::sqrt(std::max(0.0, at - passed) / areas[facet]);
-            const double along = k() * (std::numbers::phi - 1);
+            const double along = k * (std::numbers::phi - 1);
             points.emplace_back(corner + down * (to_b + (along - std::floor(along)) * b_to_c));
         }
         passed += areas[facet];
