@@ -12,8 +12,14 @@ sources = find common strategies experiments results analysis tests -name node_m
 scripts = find cmake analysis tests -name node_modules -prune -o -name '*.py' -print0
 
 readme_table = results/reference/paper.md
-readme_metrics = $(addprefix --metric=,depth_max_d_max facets_crossing_d_mean displacement_mean_mean \
-    flipped_facets_mean time_handle_p99 time_cycle_p50)
+readme_metrics = $(addprefix --metric=,tool_volume_inside_d_max depth_max_d_max facets_crossing_d_mean \
+    self_crossings_h_mean displacement_mean_mean time_handle_p99)
+# Which metrics tell the strategies apart when a tool goes into a closed organ slowly, and fast.
+apart_table = results/reference/apart.md
+apart = $(addprefix --only ,release=contact scene=penetration speed=20 speed=400 organ=sphere@4mm \
+    organ=gallbladder@2mm organ=liver@4mm) --by speed,label \
+    $(addprefix --metric=,vertices_inside_d_max depth_max_d_max facets_crossing_d_mean tool_points_inside_d_max \
+    tool_volume_inside_d_max)
 
 .NOTPARALLEL:
 .PHONY: help packages lint_packages docs_packages configure build paper pictures figures everything test sanitize mutate \
@@ -42,6 +48,8 @@ figures: paper pictures  ## make the table and the picture of README.md anew, an
 	    --by speed,label $(readme_metrics) > $(readme_table)
 	cp build/paper/paper.png results/reference/paper.png
 	$(PYTHON) cmake/readme_part.py README.md table $(readme_table)
+	build/trocar show build/paper/paper.h5 --markdown $(apart) > $(apart_table)
+	$(PYTHON) cmake/readme_part.py experiments/metrics/README.md apart $(apart_table)
 
 everything: build  ## run every organ, tool, scene, strategy and release: nothing may fail or fly apart
 	mkdir -p build/everything
@@ -61,6 +69,7 @@ lint: lint_packages docs configure  ## check the format, the C++, the Python and
 	$(sources) | xargs -0 clang-format --dry-run -Werror
 	$(scripts) | xargs -0 -r $(PYTHON) -m pyflakes
 	$(PYTHON) cmake/readme_part.py README.md table $(readme_table) --check
+	$(PYTHON) cmake/readme_part.py experiments/metrics/README.md apart $(apart_table) --check
 	$(PYTHON) cmake/readme_part.py README.md consumer tests/package/consumer/consumer.cpp --check
 	$(PYTHON) cmake/clang_tidy.py build/$(PRESET) --jobs $(JOBS)
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {

@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {

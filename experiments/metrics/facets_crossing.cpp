@@ -1,4 +1,4 @@
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {

@@ -1,6 +1,6 @@
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 #include "experiments/metrics/metric_list.h"
-#include "experiments/metrics/self_intersections.h"
+#include "experiments/metrics/self_crossing/self_intersections.h"
 
 namespace trocar::metrics {
 

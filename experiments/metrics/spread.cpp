@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {

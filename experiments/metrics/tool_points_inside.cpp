@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "experiments/metrics/columns.h"
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 #include "experiments/metrics/metric_list.h"
-#include "experiments/metrics/organ_over_tool.h"
+#include "experiments/metrics/tool_inside/columns.h"
+#include "experiments/metrics/tool_inside/organ_over_tool.h"
 
 namespace trocar::metrics {
 namespace {

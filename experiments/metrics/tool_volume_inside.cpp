@@ -1,6 +1,6 @@
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 #include "experiments/metrics/metric_list.h"
-#include "experiments/metrics/organ_over_tool.h"
+#include "experiments/metrics/tool_inside/organ_over_tool.h"
 
 namespace trocar::metrics {
 namespace {

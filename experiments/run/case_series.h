@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/cycle/cycle.h"
-#include "experiments/metrics/judge.h"
+#include "experiments/metrics/judge/judge.h"
 #include "results/record.h"
 
 namespace trocar {

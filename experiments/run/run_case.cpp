@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiments/metrics/judge.h"
+#include "experiments/metrics/judge/judge.h"
 #include "experiments/run/case_series.h"
 #include "experiments/run/figures.h"
 #include "experiments/run/replay_recorder.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/cycle/cycle.h"
-#include "experiments/metrics/judge.h"
+#include "experiments/metrics/judge/judge.h"
 #include "experiments/run/case_options.h"
 #include "results/record.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "experiments/metrics/region.h"
+#include "experiments/metrics/judge/region.h"
 #include "experiments/scenes/reference_state.h"
 #include "experiments/scenes/window.h"
 

@@ -12,8 +12,8 @@
 #include "common/geometry/organ.h"
 #include "common/geometry/surface_queries.h"
 #include "common/tool/tool.h"
-#include "experiments/metrics/judged_organ.h"
-#include "experiments/metrics/judged_tool.h"
+#include "experiments/metrics/judge/judged_organ.h"
+#include "experiments/metrics/judge/judged_tool.h"
 #include "experiments/scenes/scene.h"
 #include "strategies/options.h"
 

@@ -1,8 +1,10 @@
 // What judging a step costs, metric by metric, beside the step itself. See README.md.
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -11,7 +13,7 @@
 #include "common/cycle/cycle.h"
 #include "common/geometry/organ_shapes.h"
 #include "common/tool/tool_shapes.h"
-#include "experiments/metrics/judge.h"
+#include "experiments/metrics/judge/judge.h"
 #include "strategies/registry.h"
 
 namespace trocar {
@@ -68,6 +70,8 @@ void time_metrics(benchmark::State& state, const std::string& choice, const std:
     const std::vector<Step> steps = two_steps(organ, tool, start);
     const Region region =
         region_of(judged_organ, vertices_near_sweep(organ, tool, start, std::vector{steps.back().tool}));
+    std::int64_t cycle = steps.back().time;  // ns, the shortest of a few: one alone may have been held up
+    for (int k = 0; k < 4; ++k) cycle = std::min(cycle, two_steps(organ, tool, start).back().time);
     double judged = 0;  // ns
     for (auto _ : state) {
         Judge judge({judged_organ, judged_tool, organ.rest.positions, start},
@@ -80,8 +84,8 @@ void time_metrics(benchmark::State& state, const std::string& choice, const std:
         state.SetIterationTime(took.count());
     }
     const auto iterations = static_cast<double>(state.iterations());
-    state.counters["of_cycle"] = judged / iterations / static_cast<double>(steps.back().time);
-    state.counters["cycle_ms"] = static_cast<double>(steps.back().time) / 1e6;
+    state.counters["of_cycle"] = judged / iterations / static_cast<double>(cycle);
+    state.counters["cycle_ms"] = static_cast<double>(cycle) / 1e6;
     state.counters["facets"] = static_cast<double>(organ.rest.facets.size());
 }
 

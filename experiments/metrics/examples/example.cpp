@@ -5,7 +5,7 @@
 
 #include "common/nearest_name.h"
 #include "experiments/metrics/examples/example_list.h"
-#include "experiments/metrics/judge.h"
+#include "experiments/metrics/judge/judge.h"
 
 namespace trocar {
 

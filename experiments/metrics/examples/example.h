@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "common/tool/tool.h"
-#include "experiments/metrics/judged_organ.h"
+#include "experiments/metrics/judge/judged_organ.h"
 #include "experiments/metrics/metric.h"
 
 namespace trocar {

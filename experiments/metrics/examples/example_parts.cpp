@@ -1,7 +1,7 @@
 #include "experiments/metrics/examples/example_parts.h"
 
 #include "common/tool/shape_parts.h"
-#include "experiments/metrics/judged_state.h"
+#include "experiments/metrics/judge/judged_state.h"
 
 namespace trocar::examples {
 

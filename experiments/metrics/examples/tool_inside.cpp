@@ -5,7 +5,7 @@
 #include "common/geometry/organ_shapes.h"
 #include "experiments/metrics/examples/example_list.h"
 #include "experiments/metrics/examples/example_parts.h"
-#include "experiments/metrics/judged_tool.h"
+#include "experiments/metrics/judge/judged_tool.h"
 
 namespace trocar::examples {
 namespace {

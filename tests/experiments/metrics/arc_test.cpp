@@ -1,4 +1,4 @@
-#include "experiments/metrics/arc.h"
+#include "experiments/metrics/paths/arc.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "experiments/metrics/paths.h"
+#include "experiments/metrics/paths/paths.h"
 #include "tests/random_numbers.h"
 
 namespace trocar {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/geometry/predicates.h"
-#include "experiments/metrics/intersecting_facets.h"
+#include "experiments/metrics/self_crossing/intersecting_facets.h"
 
 namespace trocar::testing_support {
 

@@ -1,4 +1,4 @@
-#include "experiments/metrics/facet_gap.h"
+#include "experiments/metrics/self_crossing/facet_gap.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

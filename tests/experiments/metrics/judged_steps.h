@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/metrics/judge.h"
+#include "experiments/metrics/judge/judge.h"
 
 namespace trocar {
 

@@ -12,7 +12,7 @@
 #include "cgal_oracle.h"
 #include "common/geometry/organ_shapes.h"
 #include "common/tool/tool_shapes.h"
-#include "experiments/metrics/self_intersections.h"
+#include "experiments/metrics/self_crossing/self_intersections.h"
 #include "judged_steps.h"
 #include "tests/random_numbers.h"
 
@@ -77,7 +77,25 @@ TEST(SelfCrossings, DoNotCountThePairsAtRest) {
     EXPECT_EQ(expected_pairs(organ, positions), (std::vector<FacetPair>{{0, 4}}));
 }
 
-TEST(SelfCrossings, OfAVertexBetweenFacetsFoldedFlat) {
+TEST(SelfCrossings, OfFacetsThatComeHalfWayTowardsEachOther) {
+    const Organ organ = make_organ("pair", {.positions = {{0, 0, 0},
+                                                          {9, 0, 0},
+                                                          {0, 9, 0},  //
+                                                          {0, 0, 1},
+                                                          {9, 0, 1},
+                                                          {0, 9, 1}},
+                                            .facets = {{0, 1, 2}, {3, 4, 5}}});
+    const SelfIntersections found(organ);
+    const auto closer_by = [&](double each) {
+        std::vector<Vec3> positions = organ.rest.positions;
+        for (Vec3& p : positions) p.z() += p.z() == 0 ? each : -each;
+        return found.beyond_rest(positions).size();
+    };
+    EXPECT_EQ(closer_by(0.5), 1U);
+    EXPECT_EQ(closer_by(0.5 - 1e-9), 0U);
+}
+
+TEST(SelfCrossings, OfFacetsFoldedFlat) {
     // Two facets that join in an edge meet elsewhere once one is folded flat onto the other.
     const Organ organ = make_organ("hinge", {.positions = {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, -3, 0}},
                                              .facets = {{0, 1, 2}, {1, 0, 3}}});
@@ -110,7 +128,9 @@ TEST_F(SelfCrossingsOf, TwoTentsWhoseTopsTouch) {
     const Index one = nearest_to({-20, 0, 0}), other = nearest_to({20, 0, 0});
     std::vector<Vec3> positions = sheet.rest.positions;
     positions[one] = positions[other] = {1, 2, 30};
-    const auto facets_around = [&](Index vertex) { return double(sheet.adjacency.ring(vertex).size()); };
+    const auto facets_around = [&](Index vertex) {
+        return static_cast<double>(sheet.adjacency.ring(vertex).size());
+    };
     EXPECT_EQ(metric(sheet, positions), facets_around(one) * facets_around(other));
     positions[one].x() -= 1e-6;
     EXPECT_EQ(metric(sheet, positions), 0);
@@ -180,7 +200,8 @@ std::vector<Vec3> random_displacement(const std::vector<Vec3>& rest) {
     std::vector<Vec3> positions = rest;
     const double size = std::pow(10, random_number(-2, 2));
     const auto any_vertex = [&] { return random_choice(rest.size()); };
-    const Vec3 centre = rest[any_vertex()], way = size * random_direction();
+    const Vec3& centre = rest[any_vertex()];
+    const Vec3 way = size * random_direction();
     const double width = random_number(3, 40);
     switch (random_choice(4)) {
         case 0:  // a few vertices

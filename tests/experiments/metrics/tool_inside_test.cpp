@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -46,9 +48,11 @@ class ToolInBox : public testing::TestWithParam<int> {};  // by the box's resolu
 TEST_P(ToolInBox, OverlappingBy1500Micrometres) {
     const JudgedSteps boxes(box_organ({-20, -20, -40}, {20, 20, 0}, GetParam()), make_prism(4, 11.3, 60));
     const double area = prism_area(4, 11.3), girth = 4 * std::sqrt(area);
-    const Inside overlapping = inside(boxes, tip_at(-1.5));
-    EXPECT_NEAR(overlapping.volume, 1.5 * area, 1e-9);
-    EXPECT_NEAR(overlapping.points, area + 1.5 * girth, 6);
+    for (const double depth : {0.01, 1.5}) {
+        const Inside overlapping = inside(boxes, tip_at(-depth));
+        EXPECT_NEAR(overlapping.volume, depth * area, 1e-9);
+        EXPECT_NEAR(overlapping.points, area + depth * girth, 6);
+    }
     for (const double gap : {0.0, 1e-9, 1.5}) {
         const Inside apart = inside(boxes, tip_at(gap));
         EXPECT_EQ(apart.volume, 0) << gap;
@@ -102,12 +106,25 @@ TEST_P(ToolInBox, CountsAPartOfWindingTwoOnce) {
     const SurfaceMesh other = box_organ({1.3, -20, -20}, {20, 20, 10}, GetParam()).rest;
     const JudgedSteps scene(make_organ("boxes", both(one, other)), make_prism(4));
     const double beside = (4 - 1.3) * (4 - 1.3);  // mm² of the cross-section
-    const Inside found = inside(scene, tip_at(-30));
-    const double volume = 30 * prism_area(4, 4) + 10 * beside;
-    EXPECT_NEAR(found.volume, volume, 0.01 * volume);
-    EXPECT_NEAR(found.points,
-                prism_area(4, 4) + 30 * 16 * std::numbers::sqrt2 + 10 * 2 * (4 - 1.3) * std::numbers::sqrt2,
-                8);
+    const double girth = 16 * std::numbers::sqrt2, girth_beside = 2 * (4 - 1.3) * std::numbers::sqrt2;
+    for (const double depth : {10, 30}) {  // of the tip, which is in both boxes, or in the first one
+        const Inside found = inside(scene, tip_at(-depth));
+        const double volume = depth * prism_area(4, 4) + 10 * beside;
+        EXPECT_NEAR(found.volume, volume, 0.01 * volume);
+        EXPECT_NEAR(found.points, prism_area(4, 4) + depth * girth + 10 * girth_beside, 8);
+    }
+}
+
+TEST_P(ToolInBox, SwallowedTwiceIsSwallowedOnce) {
+    const SurfaceMesh one = box_organ({-50, -50, -50}, {50, 50, 50}, GetParam()).rest;
+    const SurfaceMesh other = box_organ({-30, -30, -45}, {30, 30, 45}, GetParam()).rest;
+    for (const char* name : {"prism-12", "grasper"}) {
+        const JudgedSteps scene(make_organ("boxes", both(one, other)), make_tool_by_formula(name));
+        const Inside found = inside(scene, tip_at(-41));
+        const double volume = signed_volume(scene.tool().mesh);
+        EXPECT_NEAR(found.volume, volume, 0.005 * volume) << name;
+        EXPECT_EQ(found.points, scene.judged_tool().points().size()) << name;
+    }
 }
 
 TEST_P(ToolInBox, AnInvertedPocketIsNotInside) {
@@ -169,6 +186,46 @@ TEST(ToolInside, ABallSunkIntoASlabOrASheetLeavesACap) {
     };
     for (const int cells : {1, 4, 16}) check(box_organ({-20, -20, -40}, {20, 20, 0}, cells));
     for (const char* sheet : {"sheet@10mm", "sheet@4mm", "sheet@2mm"}) check(make_organ_by_formula(sheet));
+}
+
+TEST(ToolInside, BeneathASheetIsInsideHoweverTheToolIsTurned) {
+    for (const char* sheet : {"sheet@10mm", "sheet@4mm"}) {
+        const JudgedSteps scene(make_organ_by_formula(sheet), make_prism(12));
+        const double area = prism_area(12, 4), girth = 24 * 4 * std::sin(std::numbers::pi / 12);
+        const auto turned = [](double angle) {
+            return Eigen::AngleAxisd(angle, Vec3::UnitX()).toRotationMatrix();
+        };
+        const Inside tip_up = inside(scene, {.rotation = turned(std::numbers::pi), .position = {1, 2, 5}});
+        EXPECT_NEAR(tip_up.volume, 75 * area, 1e-6);
+        EXPECT_NEAR(tip_up.points, 75 * girth + area, 10);
+        for (const double angle : {0.4, 1.5, 2.8}) {
+            const Mat3 rotation = turned(angle);
+            const Vec3 middle(1, 2, -60);
+            const Inside whole =
+                inside(scene, {.rotation = rotation, .position = middle - 40 * rotation.col(2)});
+            EXPECT_NEAR(whole.volume, 80 * area, 1e-6) << angle;
+            EXPECT_EQ(whole.points, scene.judged_tool().points().size()) << angle;
+            const Inside above =
+                inside(scene, {.rotation = rotation, .position = -middle - 40 * rotation.col(2)});
+            EXPECT_EQ(above.volume, 0) << angle;
+            EXPECT_EQ(above.points, 0) << angle;
+        }
+    }
+}
+
+TEST(ToolPoints, AreOneForEverySquareMillimetreOfTheSurface) {
+    for (const char* name : {"prism-3", "prism-12", "pointed-prism-12", "needle", "grasper"}) {
+        const Tool tool = make_tool_by_formula(name);
+        const JudgedTool judged(tool);
+        const std::vector<double> areas = facet_areas(tool.mesh);
+        EXPECT_EQ(judged.points().size(), std::lround(std::accumulate(areas.begin(), areas.end(), 0.0)))
+            << name;
+        for (const Vec3& point : judged.points()) EXPECT_LT(judged.surface().distance(point), 1e-9) << name;
+    }
+    SurfaceMesh tiny = make_prism(3).mesh;
+    for (Vec3& p : tiny.positions) p *= 1e-3;
+    const Tool tool = make_tool("tiny", tiny);
+    EXPECT_EQ(JudgedTool(tool).points().size(), 1U);
 }
 
 TEST(ToolInside, IsMissingWhereThereIsNoInside) {

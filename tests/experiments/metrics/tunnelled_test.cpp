@@ -70,6 +70,14 @@ TEST(Tunnelled, FollowsTheArcNotItsChord) {
         block_at(middle).tunnels(vertex, {}, turned_about(Vec3::Zero(), Vec3::UnitZ(), 90 * degree)));
 }
 
+TEST(Tunnelled, IsSeenWhereTheArcLeavesTheBoxOfItsEnds) {
+    const OneVertex one(box_tool({9.5, -0.5, 0}, {10.5, 0.5, 10}));
+    const Pose back = turned_about(Vec3::Zero(), Vec3::UnitZ(), 45 * degree);
+    const Pose on = turned_about(Vec3::Zero(), Vec3::UnitZ(), -45 * degree);
+    EXPECT_TRUE(one.tunnels({10, 0, 5}, back, on));
+    EXPECT_FALSE(one.tunnels({11, 0, 5}, back, on));
+}
+
 TEST(Tunnelled, GoesInByTheArcToWithinItsError) {
     const Vec3 vertex(10, 0, 5);
     const Pose turned = turned_about(Vec3::Zero(), Vec3::UnitZ(), -90 * degree);
@@ -159,9 +167,12 @@ struct RandomWay {
             last = point;
         };
         for (int k = 0; k <= looks; ++k) {
-            look_at(judged_position(from, handled + double(k) / looks * (deformed - handled)));
+            const double part = static_cast<double>(k) / looks;
+            look_at(judged_position(from, handled + part * (deformed - handled)));
         }
-        for (int k = 1; k <= looks; ++k) look_at(judged_position(tool_at(double(k) / looks), deformed));
+        for (int k = 1; k <= looks; ++k) {
+            look_at(judged_position(tool_at(static_cast<double>(k) / looks), deformed));
+        }
         return seen;
     }
 };

@@ -1,4 +1,4 @@
-#include "experiments/metrics/vertex_stars.h"
+#include "experiments/metrics/self_crossing/vertex_stars.h"
 
 #include <cmath>
 #include <numbers>

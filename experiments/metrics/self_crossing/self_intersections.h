@@ -5,8 +5,8 @@
 
 #include "common/geometry/organ.h"
 #include "common/geometry/predicates.h"
-#include "experiments/metrics/intersecting_facets.h"
-#include "experiments/metrics/vertex_stars.h"
+#include "experiments/metrics/self_crossing/intersecting_facets.h"
+#include "experiments/metrics/self_crossing/vertex_stars.h"
 
 namespace trocar {
 

@@ -1,8 +1,8 @@
-#include "experiments/metrics/paths.h"
+#include "experiments/metrics/paths/paths.h"
 
 #include <algorithm>
 
-#include "experiments/metrics/arc.h"
+#include "experiments/metrics/paths/arc.h"
 
 namespace trocar {
 namespace {
@@ -66,8 +66,11 @@ void Paths::move(const JudgedState& before) {
         const auto vertex = static_cast<Index>(k);
         Passage passage = passage_of(vertex);
         const int chords = arc.chords(arc_error);
-        for (int chord = 0; chord < chords; ++chord) {
-            follow(tool, arc.at(double(chord) / chords), arc.at(double(chord + 1) / chords), passage);
+        Vec3 here = in_tool_[k];
+        for (int chord = 1; chord <= chords; ++chord) {
+            const Vec3 next = arc.at(static_cast<double>(chord) / chords);
+            follow(tool, here, next, passage);
+            here = next;
         }
         keep(vertex, passage);
     }

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "experiments/metrics/judged_tool.h"
+#include "experiments/metrics/judge/judged_tool.h"
 
 namespace trocar {
 

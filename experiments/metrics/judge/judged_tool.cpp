@@ -1,9 +1,9 @@
-#include "experiments/metrics/judged_tool.h"
+#include "experiments/metrics/judge/judged_tool.h"
 
 #include <algorithm>
 
 #include "common/geometry/flat_edges.h"
-#include "experiments/metrics/tool_points.h"
+#include "experiments/metrics/tool_inside/tool_points.h"
 
 namespace trocar {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "experiments/metrics/judged_state.h"
+#include "experiments/metrics/judge/judged_state.h"
 
 namespace trocar {
 

@@ -1,8 +1,8 @@
-#include "experiments/metrics/judged_organ.h"
+#include "experiments/metrics/judge/judged_organ.h"
 
 #include <set>
 
-#include "experiments/metrics/self_intersections.h"
+#include "experiments/metrics/self_crossing/self_intersections.h"
 
 namespace trocar {
 namespace {

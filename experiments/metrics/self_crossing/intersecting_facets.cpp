@@ -1,4 +1,4 @@
-#include "experiments/metrics/intersecting_facets.h"
+#include "experiments/metrics/self_crossing/intersecting_facets.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,12 +1,12 @@
-#include "experiments/metrics/self_intersections.h"
+#include "experiments/metrics/self_crossing/self_intersections.h"
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
 #include <numeric>
 
-#include "experiments/metrics/box_pairs.h"
-#include "experiments/metrics/facet_gap.h"
+#include "experiments/metrics/self_crossing/box_pairs.h"
+#include "experiments/metrics/self_crossing/facet_gap.h"
 
 namespace trocar {
 namespace {

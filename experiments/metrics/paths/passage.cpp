@@ -1,4 +1,4 @@
-#include "experiments/metrics/passage.h"
+#include "experiments/metrics/paths/passage.h"
 
 #include <algorithm>
 #include <span>

@@ -1,4 +1,4 @@
-#include "experiments/metrics/organ_over_tool.h"
+#include "experiments/metrics/tool_inside/organ_over_tool.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "experiments/metrics/facet_piece.h"
+#include "experiments/metrics/tool_inside/facet_piece.h"
 
 namespace trocar {
 namespace {

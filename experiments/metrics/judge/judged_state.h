@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "experiments/metrics/judged_organ.h"
-#include "experiments/metrics/judged_tool.h"
+#include "experiments/metrics/judge/judged_organ.h"
+#include "experiments/metrics/judge/judged_tool.h"
 
 namespace trocar {
 

@@ -1,4 +1,4 @@
-#include "experiments/metrics/judge.h"
+#include "experiments/metrics/judge/judge.h"
 
 #include <algorithm>
 #include <cmath>

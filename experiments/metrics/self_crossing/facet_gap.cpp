@@ -1,4 +1,4 @@
-#include "experiments/metrics/facet_gap.h"
+#include "experiments/metrics/self_crossing/facet_gap.h"
 
 #include <algorithm>
 
@@ -10,9 +10,9 @@ namespace {
 /// Two triangles in coordinates whose origin is a corner of the first, so that differences are small.
 struct Pair {
     Corners one, other;
-    double size;  // at least each coordinate, mm
+    double size = 0;  // at least each coordinate, mm
 
-    Pair(const Corners& the_one, const Corners& the_other) : one(the_one), other(the_other), size(0) {
+    Pair(const Corners& the_one, const Corners& the_other) : one(the_one), other(the_other) {
         const Vec3 origin = one[0];
         for (Corners* corners : {&one, &other}) {
             for (Vec3& corner : *corners) {

@@ -1,4 +1,4 @@
-#include "experiments/metrics/arc.h"
+#include "experiments/metrics/paths/arc.h"
 
 #include <algorithm>
 #include <cmath>

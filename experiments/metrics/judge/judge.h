@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "experiments/metrics/judged.h"
+#include "experiments/metrics/judge/judged.h"
 
 namespace trocar {
 

@@ -1,4 +1,4 @@
-#include "experiments/metrics/vertex_stars.h"
+#include "experiments/metrics/self_crossing/vertex_stars.h"
 
 #include <algorithm>
 #include <array>
@@ -85,7 +85,7 @@ std::vector<Vec3> VertexStars::spokes(Index vertex, std::span<const Vec3> positi
     std::vector<Vec3> spokes;
     spokes.reserve(count);
     for (Index k = first; k < first + count; ++k) {
-        spokes.push_back(positions[ends_[k]] - positions[vertex]);
+        spokes.emplace_back(positions[ends_[k]] - positions[vertex]);
     }
     return spokes;
 }

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "experiments/metrics/judged_state.h"
+#include "experiments/metrics/judge/judged_state.h"
+#include "experiments/metrics/judge/region.h"
 #include "experiments/metrics/metric.h"
-#include "experiments/metrics/paths.h"
-#include "experiments/metrics/region.h"
+#include "experiments/metrics/paths/paths.h"
 
 namespace trocar {
 

@@ -4,8 +4,8 @@
 #include <set>
 #include <vector>
 
-#include "experiments/metrics/judged_state.h"
-#include "experiments/metrics/passage.h"
+#include "experiments/metrics/judge/judged_state.h"
+#include "experiments/metrics/paths/passage.h"
 
 namespace trocar {
 

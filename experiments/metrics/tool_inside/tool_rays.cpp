@@ -1,4 +1,4 @@
-#include "experiments/metrics/tool_rays.h"
+#include "experiments/metrics/tool_inside/tool_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "experiments/metrics/columns.h"
+#include "experiments/metrics/tool_inside/columns.h"
 
 namespace trocar {
 namespace {

@@ -1,4 +1,4 @@
-#include "experiments/metrics/tool_points.h"
+#include "experiments/metrics/tool_inside/tool_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "experiments/metrics/box_pairs.h"
+#include "experiments/metrics/self_crossing/box_pairs.h"
 
 #include <CGAL/box_intersection_d.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/metrics/winding_integral.h"
+#include "experiments/metrics/tool_inside/winding_integral.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "experiments/metrics/facet_piece.h"
+#include "experiments/metrics/tool_inside/facet_piece.h"
 
 namespace trocar {
 

@@ -1,4 +1,4 @@
-#include "experiments/metrics/region.h"
+#include "experiments/metrics/judge/region.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "experiments/metrics/columns.h"
+#include "experiments/metrics/tool_inside/columns.h"
 
 #include <algorithm>
 #include <numeric>

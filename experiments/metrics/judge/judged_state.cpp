@@ -1,4 +1,4 @@
-#include "experiments/metrics/judged_state.h"
+#include "experiments/metrics/judge/judged_state.h"
 
 #include <algorithm>
 

@@ -6,8 +6,8 @@
 #include "common/geometry/predicates.h"
 #include "common/geometry/surface_queries.h"
 #include "common/tool/tool.h"
-#include "experiments/metrics/tool_rays.h"
-#include "experiments/metrics/winding_integral.h"
+#include "experiments/metrics/tool_inside/tool_rays.h"
+#include "experiments/metrics/tool_inside/winding_integral.h"
 
 namespace trocar {
 
