@@ -52,7 +52,7 @@ struct SnapshotOptions {
 int snapshot(const SnapshotOptions& options) {
     const bool of_step = !options.step.file.empty(), of_scene = !options.scene.scene.empty(),
                of_metric = !options.metric.empty();
-    if (of_step + of_scene + of_metric != 1) {
+    if (int{of_step} + int{of_scene} + int{of_metric} != 1) {
         throw InputError(
             "snapshot needs one of a result file, --scene and --metric (see trocar snapshot --help)");
     }

@@ -11,6 +11,8 @@
 
 namespace trocar {
 
+// NOLINTBEGIN(readability-redundant-member-init): GCC warns where one is left out that has no initializer.
+
 /// What a picture points out: what the metric counts, or the lengths that it measures.
 struct Marks {
     std::vector<Index> vertices{};                ///< of the organ
@@ -55,6 +57,8 @@ struct Example {
     Eye eye{};
     std::vector<Panel> panels{};
 };
+
+// NOLINTEND(readability-redundant-member-init)
 
 /// A step in which nothing happens: the organ is at rest, the tool stays at `pose`, every vertex is near it.
 Example still_step(std::string metric, Moment moment, Organ organ, Tool tool, const Pose& pose);

@@ -36,7 +36,8 @@ TEST(Examples, AreJudgedWhenTheMetricIsTaken) {
 
 TEST(Examples, ShowVerticesAndFacetsThatExist) {
     const auto each_below = [](const std::vector<Index>& numbers, std::size_t count) {
-        return std::ranges::all_of(numbers, [&](Index k) { return k >= 0 && std::size_t(k) < count; });
+        return std::ranges::all_of(numbers,
+                                   [&](Index k) { return k >= 0 && static_cast<std::size_t>(k) < count; });
     };
     for (const Example& example : all_examples()) {
         const SurfaceMesh& rest = example.organ.rest;
