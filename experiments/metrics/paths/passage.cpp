@@ -7,6 +7,9 @@
 namespace trocar {
 namespace {
 
+constexpr double opposite_sides = -0.7071;  // the normals' dot product is less
+constexpr double least_passage = 1e-9;      // mm
+
 /// Where a straight way meets a facet.
 struct Meeting {
     double distance;  ///< from its beginning, mm

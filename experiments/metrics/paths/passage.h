@@ -10,19 +10,15 @@ namespace trocar {
 struct Passage {
     std::optional<Vec3> entry;  ///< where it last went in, if it is still inside: the outer normal there
     bool went_in = false;       ///< it came from outside to inside
-    bool crossed = false;       ///< when it last came out, that was opposite to a known entry
+    bool crossed = false;       ///< when it last came out, that was opposite to a known entry: the outer
+                                ///< normals there were more than 135° apart
 };
-
-/// Sides of a tool are opposite where their outer normals' dot product is less: by more than 135°.
-inline constexpr double opposite_sides = -0.7071;
-
-/// The least that counts, mm. Going in for less than this, or less deep, is touching; meetings with the
-/// surface that are no further apart are one (with an edge or a corner).
-inline constexpr double least_passage = 1e-9;
 
 /// The point goes straight from `from` to `to`, in the tool's frame. Which facets it meets, and whether it is
 /// inside at both ends, is decided exactly. Between two meetings it is inside or outside all the way: as it
-/// is midway. Of several facets that it meets at once it goes through that which it meets most squarely.
+/// is midway. There, going in for less than 1e-9 mm, or less deep, is touching, and meetings that are no
+/// further apart are one (with an edge or a corner). Of several facets that it meets at once it goes through
+/// that which it meets most squarely.
 void follow(const JudgedTool& tool, const Vec3& from, const Vec3& to, Passage& passage);
 
 }  // namespace trocar
