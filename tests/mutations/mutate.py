@@ -15,7 +15,6 @@ import hashlib
 import json
 import queue
 import re
-import shutil
 import subprocess
 import sys
 import threading
@@ -94,19 +93,28 @@ class Workshop:
 
     def __init__(self, folder: Path):
         self.source, self.build = folder / "source", folder / "build"
-        shutil.rmtree(self.source, ignore_errors=True)
-        tracked = subprocess.run(
-            ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-            cwd=ROOT, check=True, capture_output=True, text=True,
-        )  # fmt: skip
-        for name in filter(None, tracked.stdout.split("\0")):
-            if (ROOT / name).is_file():
-                (self.source / name).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy2(ROOT / name, self.source / name)
+        self.copy_tree()
         self.run(["cmake", "-S", self.source, "-B", self.build, *BUILD_FLAGS])
         self.compile()
         if self.tests_fail():
             raise BadMutation("the tests of the metrics fail without any mutation")
+
+    def copy_tree(self) -> None:
+        """Files that are as they should be are left alone, and what was built of them is kept; others, such as the one
+        with an error of a run that was cut off, are new, and so is what is built of them."""
+        tracked = subprocess.run(
+            ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+            cwd=ROOT, check=True, capture_output=True, text=True,
+        )  # fmt: skip
+        wanted = {name for name in tracked.stdout.split("\0") if name and (ROOT / name).is_file()}
+        for path in self.source.rglob("*"):
+            if path.is_file() and str(path.relative_to(self.source)) not in wanted:
+                path.unlink()
+        for name in wanted:
+            right, copy = (ROOT / name).read_bytes(), self.source / name
+            if not copy.exists() or copy.read_bytes() != right:
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                copy.write_bytes(right)
 
     def run(self, command: list) -> None:
         done = subprocess.run(command, capture_output=True, text=True)

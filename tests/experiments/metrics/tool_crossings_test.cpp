@@ -159,6 +159,17 @@ TEST(ToolCrossingsAt, TheLastOfTwoJaws) {
     EXPECT_EQ(Paths(one.state(before, {})).crossings(one.state(in_the_other, {})), 0) << "not put out";
 }
 
+TEST(ToolCrossingsAt, TheJawThatTheVertexCameIntoLast) {
+    // From beside it into one jaw, from there straight into the other, and out on its outer side.
+    const OneVertex one(make_grasper());
+    Paths paths(one.state({9, -5.5, 4}, {}));
+    paths.deform(one.state({0, -5.5, 4}, {}));
+    EXPECT_EQ(paths.crossings(one.state({0, -30, 4}, {})), 0);
+    paths.deform(one.state({0, 5.5, 4}, {}));
+    EXPECT_EQ(paths.crossings(one.state({0, 30, 4}, {})), 1);
+    EXPECT_EQ(paths.crossings(one.state({0, 0, 4}, {})), 0);
+}
+
 TEST(ToolCrossingsAt, AreTheSameForAMovedScene) {
     const OneVertex one(make_prism(7));
     std::size_t crossed = 0;
