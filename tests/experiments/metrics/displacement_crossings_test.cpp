@@ -75,13 +75,16 @@ TEST(DisplacementCrossings, CountsAnEdgeThatIsTurnedAround) {
 }
 
 TEST(DisplacementCrossings, AsksForBothEndsToBeCollided) {
-    for (const Index outside : {OneEdge::a, OneEdge::b}) {
-        std::vector<Vec3> before = edge.steps.rest(), handled{a_far, b_steep, before[2]};
-        before[outside].z() = -21;  // below the tip
-        handled[outside].z() = -21;
-        EXPECT_EQ(crossings(edge.steps.step(tip_at(-20), before, handled, handled)), 0);
-        handled[OneEdge::a].x() = 5;  // turned around
-        EXPECT_EQ(crossings(edge.steps.step(tip_at(-20), before, handled, handled)), 0);
+    // The edge lies at the tool's tip, then one end of it below: a, put beyond b, turns it around.
+    for (const bool both : {true, false}) {
+        const std::vector<Vec3> before{
+            {-0.5, 0, -19.95}, {0.5, 0, both ? -19.95 : -20.05}, edge.steps.rest()[2]};
+        std::vector<Vec3> handled = before;
+        handled[OneEdge::a].x() = 5;
+        EXPECT_EQ(crossings(edge.steps.step(tip_at(-20), before, handled, handled)), both ? 1 : 0);
+        std::vector<Vec3> other_way = before;
+        other_way[OneEdge::b].x() = -5;
+        EXPECT_EQ(crossings(edge.steps.step(tip_at(-20), before, other_way, other_way)), both ? 1 : 0);
     }
 }
 

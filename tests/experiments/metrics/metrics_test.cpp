@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -77,6 +78,17 @@ TEST_F(JudgedSheet, CountsWhatHandlingLeavesInside) {
     EXPECT_GT(value("depth_mean", Moment::deformed, step), 0);
 }
 
+TEST_F(JudgedSheet, TheDeepestVertexIsNotTheMeanOne) {
+    Positions uneven = with_collided_at(-1.25);
+    const auto from_axis = [&](Index vertex) { return uneven[vertex].head<2>().norm(); };
+    const JudgedState found = sheet_.state(sheet_.rest(), pose_);
+    uneven[std::ranges::min(found.inside(), {}, from_axis)].z() = -1;
+    const Judged step = judged(uneven, uneven);
+    EXPECT_NEAR(value("depth_max", Moment::deformed, step), 1, 1e-9);
+    const auto count = static_cast<double>(found.inside().size());
+    EXPECT_NEAR(value("depth_mean", Moment::deformed, step), 0.75 + 0.25 / count, 1e-9);
+}
+
 TEST_F(JudgedSheet, FacetsCrossWhereTheSheetRunsFromInsideToOutside) {
     const Judged step = judged(with_collided_at(-2.01), sheet_.rest());
     EXPECT_GT(value("facets_crossing", Moment::deformed, step), 0);
@@ -122,6 +134,9 @@ TEST_F(JudgedSheet, CountsFacetsThatHandlingTurnsOver) {
     }
     ASSERT_GT(expected, 0);
     EXPECT_EQ(value("flipped_facets", Moment::handled, judged(folded, folded)), expected);
+    // What the step found folded and handling leaves so, handling has not flipped.
+    const Judged found_folded = sheet_.step(pose_, folded, folded, folded);
+    EXPECT_EQ(value("flipped_facets", Moment::handled, found_folded), 0);
     // Tilted by less than 90° is not flipped.
     Positions tilted = sheet_.rest();
     tilted[inner].z() += 30;
