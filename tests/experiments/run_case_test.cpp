@@ -97,7 +97,7 @@ CaseInputs finer_case() {
     return list_cases(folder.read(replaced(small_sweep, "sphere@12mm", "sphere@4mm"))).front();
 }
 
-CaseRecord run_asking(CaseInputs inputs, const CaseOptions& options) {
+CaseRecord run_asking(const CaseInputs& inputs, const CaseOptions& options) {
     const auto strategy = make_strategy(inputs.strategy.name, inputs.strategy.options);
     return run_alone(inputs, *strategy, options).value();
 }

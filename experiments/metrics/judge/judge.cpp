@@ -47,18 +47,18 @@ Judge::Judge(const JudgedState& start, JudgeSettings settings)
 }
 
 JudgedState Judge::look(std::span<const Vec3> positions) const {
-    return {step_.organ(), step_.tool(), positions, step_.before->pose()};
+    return {step_.organ(), step_.tool(), positions, step_.at(Moment::before).pose()};
 }
 
 void Judge::before(std::span<const Vec3> positions, const Pose& tool) {
-    if (steps_ > 0) step_.step_before = step_.before->positions();
-    step_.tool_at_beginning = step_.before->pose();
+    if (steps_ > 0) step_.step_before = step_.at(Moment::before).positions();
+    step_.tool_at_beginning = step_.at(Moment::before).pose();
     if (step_.paths) {
-        step_.paths->handle(*step_.handled);
-        step_.paths->deform(*step_.deformed);
+        step_.paths->handle(step_.at(Moment::handled));
+        step_.paths->deform(step_.at(Moment::deformed));
     }
     step_.before.emplace(step_.organ(), step_.tool(), positions, tool);
-    if (step_.paths) step_.paths->move(*step_.before);
+    if (step_.paths) step_.paths->move(step_.at(Moment::before));
     step_.handled.reset();
     step_.deformed.reset();
     ++steps_;

@@ -15,8 +15,8 @@ namespace {
 
 using Positions = std::vector<Vec3>;
 
-Judged deformed(const JudgedSteps& steps, const Positions& before, const Positions& after) {
-    return steps.step(tip_at(50), before, before, after);
+Judged deformed(const JudgedSteps& steps, const Positions& found, const Positions& after) {
+    return steps.step(tip_at(50), found, found, after);
 }
 
 TEST(Strain, IsTheRootMeanSquareOfTheLengthening) {
