@@ -31,31 +31,9 @@ std::set<std::string> names_in(std::string_view choice) {
 
 const std::vector<Metric>& all_metrics() {
     static const std::vector<Metric> metrics = {
-        metrics::collided_vertices(),
-        metrics::vertices_inside(),
-        metrics::depth_max(),
-        metrics::depth_mean(),
-        metrics::facets_crossing(),
-        metrics::tool_points_inside(),
-        metrics::tool_volume_inside(),
-        metrics::tunnelled(),
-        metrics::tool_crossings(),
-        metrics::displacement_crossings(),
-        metrics::flipped_facets(),
-        metrics::self_crossings(),
-        metrics::spread(),
-        metrics::edge_ratio_mean(),
-        metrics::edge_ratio_min(),
-        metrics::displacement_mean(),
-        metrics::displacement_max(),
-        metrics::gap_mean(),
-        metrics::gap_max(),
-        metrics::drag(),
-        metrics::strain(),
-        metrics::jitter(),
-        metrics::recovery(),
-        metrics::volume_change(),
-        metrics::fallbacks(),
+#define TROCAR_METRIC(name) metrics::name(),
+#include "experiments/metrics/metrics.inc"
+#undef TROCAR_METRIC
     };
     return metrics;
 }

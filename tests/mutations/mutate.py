@@ -81,7 +81,7 @@ def read_metric(path: Path) -> Metric:
 
 
 def read_metrics() -> list[Metric]:
-    listed = re.findall(r"^Metric (\w+)\(\);", (ROOT / SOURCES / "metric_list.h").read_text(), re.MULTILINE)
+    listed = re.findall(r"^TROCAR_METRIC\((\w+)\)", (ROOT / SOURCES / "metrics.inc").read_text(), re.MULTILINE)
     missing = [name for name in listed if not (HERE / f"{name}.toml").exists()]
     if missing:
         raise BadMutation(f"no mutations for {', '.join(missing)}: write {HERE.name}/{missing[0]}.toml")

@@ -44,31 +44,9 @@ Measured judge_example(const Example& example) {
 
 const std::vector<Example>& all_examples() {
     static const std::vector<Example> all = {
-        examples::collided_vertices(),
-        examples::vertices_inside(),
-        examples::depth_max(),
-        examples::depth_mean(),
-        examples::facets_crossing(),
-        examples::tool_points_inside(),
-        examples::tool_volume_inside(),
-        examples::tunnelled(),
-        examples::tool_crossings(),
-        examples::displacement_crossings(),
-        examples::flipped_facets(),
-        examples::self_crossings(),
-        examples::spread(),
-        examples::edge_ratio_mean(),
-        examples::edge_ratio_min(),
-        examples::displacement_mean(),
-        examples::displacement_max(),
-        examples::gap_mean(),
-        examples::gap_max(),
-        examples::drag(),
-        examples::strain(),
-        examples::jitter(),
-        examples::recovery(),
-        examples::volume_change(),
-        examples::fallbacks(),
+#define TROCAR_METRIC(name) examples::name(),
+#include "experiments/metrics/metrics.inc"
+#undef TROCAR_METRIC
     };
     return all;
 }
