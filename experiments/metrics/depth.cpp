@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <numeric>
 
 #include "experiments/metrics/judge/judged.h"
+#include "experiments/metrics/judge/summary.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {
@@ -26,10 +26,7 @@ Metric depth_mean() {
             .better = "low",
             .moments = {Moment::handled, Moment::deformed},
             .value = [](const Judged& step, Moment moment) -> Measured {
-                const auto& depths = step.at(moment).depths();
-                if (depths.empty()) return Missing::no_vertex_inside;
-                return std::accumulate(depths.begin(), depths.end(), 0.0) /
-                       static_cast<double>(depths.size());
+                return mean_of(step.at(moment).depths(), Missing::no_vertex_inside);
             }};
 }
 

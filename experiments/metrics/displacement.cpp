@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <numeric>
+#include <vector>
 
 #include "experiments/metrics/judge/judged.h"
+#include "experiments/metrics/judge/summary.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {
@@ -23,9 +23,7 @@ Metric displacement_mean() {
             .better = "low",
             .moments = {Moment::handled},
             .value = [](const Judged& step, Moment) -> Measured {
-                const std::vector<double> all = lengths(step);
-                if (all.empty()) return Missing::no_vertex_collided;
-                return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+                return mean_of(lengths(step), Missing::no_vertex_collided);
             }};
 }
 
@@ -36,8 +34,7 @@ Metric displacement_max() {
             .better = "low",
             .moments = {Moment::handled},
             .value = [](const Judged& step, Moment) -> Measured {
-                const std::vector<double> all = lengths(step);
-                return all.empty() ? Measured(Missing::no_vertex_collided) : std::ranges::max(all);
+                return largest_of(lengths(step), Missing::no_vertex_collided);
             }};
 }
 

@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <numeric>
+#include <vector>
 
 #include "experiments/metrics/judge/judged.h"
+#include "experiments/metrics/judge/summary.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {
@@ -29,9 +29,7 @@ Metric edge_ratio_mean() {
             .better = "high",
             .moments = {Moment::handled, Moment::deformed},
             .value = [](const Judged& step, Moment moment) -> Measured {
-                const std::vector<double> all = ratios(step, moment);
-                if (all.empty()) return Missing::no_edge_collided;
-                return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+                return mean_of(ratios(step, moment), Missing::no_edge_collided);
             }};
 }
 
@@ -42,8 +40,7 @@ Metric edge_ratio_min() {
             .better = "high",
             .moments = {Moment::handled, Moment::deformed},
             .value = [](const Judged& step, Moment moment) -> Measured {
-                const std::vector<double> all = ratios(step, moment);
-                return all.empty() ? Measured(Missing::no_edge_collided) : std::ranges::min(all);
+                return least_of(ratios(step, moment), Missing::no_edge_collided);
             }};
 }
 

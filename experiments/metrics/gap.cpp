@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <numeric>
+#include <vector>
 
 #include "experiments/metrics/judge/judged.h"
+#include "experiments/metrics/judge/summary.h"
 #include "experiments/metrics/metric_list.h"
 
 namespace trocar::metrics {
@@ -31,9 +31,7 @@ Metric gap_mean() {
             .better = "low",
             .moments = {Moment::handled, Moment::deformed},
             .value = [](const Judged& step, Moment moment) -> Measured {
-                const std::vector<double> all = gaps(step, moment);
-                if (all.empty()) return Missing::no_vertex_moved;
-                return std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
+                return mean_of(gaps(step, moment), Missing::no_vertex_moved);
             }};
 }
 
@@ -46,8 +44,7 @@ Metric gap_max() {
             .better = "low",
             .moments = {Moment::handled, Moment::deformed},
             .value = [](const Judged& step, Moment moment) -> Measured {
-                const std::vector<double> all = gaps(step, moment);
-                return all.empty() ? Measured(Missing::no_vertex_moved) : std::ranges::max(all);
+                return largest_of(gaps(step, moment), Missing::no_vertex_moved);
             }};
 }
 

@@ -36,7 +36,7 @@ struct Outcome {
 struct Gathered {
     std::vector<bool> window;
     CaseSeries series;
-    std::vector<Measured> at_end;  ///< of the metrics that have a value at Moment::end
+    std::vector<Measured> at_end;  ///< of end_readings(the metrics asked for)
     std::vector<std::vector<Cell>> states;
     std::optional<Replay> replay;
 };
@@ -160,14 +160,14 @@ std::vector<Cell> judging_cells(const CaseInputs& inputs, const CaseOptions& opt
     };
 }
 
-/// One for each metric that is taken at the end, whether the case came so far or not.
+/// One for each of end_readings(metrics), whether the case came so far or not.
 std::vector<Cell> end_figures(const CaseOptions& options, const std::vector<Measured>& values) {
+    const std::vector<Reading> readings = end_readings(options.metrics);
     std::vector<Cell> cells;
-    for (const Metric* metric : options.metrics) {
-        if (metric->moments != std::vector{Moment::end}) continue;
-        cells.push_back(
-            {metric->name + "_final", metric->units, metric->definition,
-             values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[cells.size()].value});
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+        const Metric& metric = *readings[k].metric;
+        cells.push_back({metric.name + "_final", metric.units, reading_long_name(readings[k]),
+                         values.empty() ? std::numeric_limits<double>::quiet_NaN() : values[k].value});
     }
     return cells;
 }

@@ -28,6 +28,10 @@ std::vector<Reading> readings_of(std::span<const Metric* const> metrics) {
     return readings_at(metrics, [](Moment moment) { return moment != Moment::end; });
 }
 
+std::vector<Reading> end_readings(std::span<const Metric* const> metrics) {
+    return readings_at(metrics, [](Moment moment) { return moment == Moment::end; });
+}
+
 std::vector<Reading> handled_readings(std::span<const Metric* const> metrics) {
     return readings_at(metrics,
                        [](Moment moment) { return moment == Moment::before || moment == Moment::handled; });
@@ -78,8 +82,7 @@ std::vector<Measured> Judge::values() const {
 }
 
 std::vector<Measured> Judge::values_at_end() const {
-    return values_of(readings_at(settings_.metrics, [](Moment moment) { return moment == Moment::end; }),
-                     step_);
+    return values_of(end_readings(settings_.metrics), step_);
 }
 
 }  // namespace trocar

@@ -30,6 +30,9 @@ struct Reading {
 /// The series of these metrics, metric by metric; Moment::end has none.
 std::vector<Reading> readings_of(std::span<const Metric* const> metrics);
 
+/// Those at Moment::end.
+std::vector<Reading> end_readings(std::span<const Metric* const> metrics);
+
 /// Takes the metrics of one case, step by step. It is told where organ and tool are, and nothing of the
 /// strategy but what it counted itself.
 class Judge {
@@ -50,7 +53,7 @@ class Judge {
     /// missing.
     [[nodiscard]] std::vector<Measured> values() const;
 
-    /// The values at Moment::end of the metrics that have one, once the last step is over.
+    /// The values of end_readings(metrics), once the last step is over.
     [[nodiscard]] std::vector<Measured> values_at_end() const;
 
     /// The step as far as it has come. A copy may be given another handling and judged by handled_values.
