@@ -13,5 +13,6 @@ find_package(nlohmann_json 3.11 REQUIRED)
 
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
+pkg_check_modules(fuzzylite REQUIRED IMPORTED_TARGET fuzzylite)
 
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)

@@ -6,5 +6,7 @@ find_dependency(Eigen3 3.4 NO_MODULE)
 find_dependency(fcl 0.7)
 find_dependency(CGAL 5.5)
 find_dependency(fmt)
+find_dependency(PkgConfig)
+pkg_check_modules(fuzzylite REQUIRED IMPORTED_TARGET fuzzylite)
 
 include(${CMAKE_CURRENT_LIST_DIR}/trocarTargets.cmake)

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "strategies/fuzzy_reading.h"
+#include "strategies/fuzzy/inference.h"
+#include "strategies/fuzzy/normals.h"
+#include "strategies/fuzzy/rules_option.h"
 #include "strategies/leave_tool.h"
 #include "strategies/motion_vector.h"
 
@@ -13,13 +15,13 @@ namespace {
 struct Reading {
     bool count_facets_once;  // else once for each collided vertex they have
     fuzzy::Normals normals;
-    fuzzy::Shape shape;
     Fallback fallback;
 };
 
 class JointVertexStrategy final : public Strategy {
   public:
-    explicit JointVertexStrategy(const Reading& reading) : reading_(reading) {}
+    JointVertexStrategy(const fuzzy::RuleBase& rules, const Reading& reading)
+        : inference_(rules), reading_(reading) {}
 
     [[nodiscard]] Promises promises() const override {
         // One length for all: in a tool that is not convex it may carry a vertex from one part into another.
@@ -50,7 +52,7 @@ class JointVertexStrategy final : public Strategy {
         const auto motion = motion_vector(contact, centroid(contact));
         const auto normal = motion ? mean_normal(contact) : std::nullopt;
         if (!normal) return std::nullopt;
-        const fuzzy::Cases weights = fuzzy::first_pass(motion->dot(*normal), reading_.shape);
+        const fuzzy::Weights weights = inference_.first(fuzzy::collision_index(*motion, *normal));
         const Vec3 total = fuzzy::displacement(weights, *motion, *normal);
         const double length = total.norm();
         if (length < fuzzy::no_direction) return std::nullopt;
@@ -83,6 +85,7 @@ class JointVertexStrategy final : public Strategy {
         return sum / length;
     }
 
+    fuzzy::Inference inference_;
     Reading reading_;
     std::vector<Index> facets_;  // scratch
 };
@@ -100,14 +103,14 @@ StrategyEntry joint_vertex_entry() {
                                          "how often the mean normal counts a facet of several collided "
                                          "vertices: once, or once for each",
                                      .choices = {"once", "each"}},
-                                    fuzzy::memberships_option(),
                                     fuzzy::normals_option(),
+                                    fuzzy::rules_option(),
                                     fallback_option()}},
         .make = [](const Options& options) -> std::unique_ptr<Strategy> {
             return std::make_unique<JointVertexStrategy>(
+                fuzzy::rules_of(options),
                 Reading{.count_facets_once = word(options, "shared-facets") == "once",
                         .normals = fuzzy::normals_of(options),
-                        .shape = fuzzy::shape_of(options),
                         .fallback = fallback_of(options)});
         }};
 }

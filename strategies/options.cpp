@@ -22,6 +22,14 @@ void check_value(const OptionSpec& spec, const OptionValue& value) {
     }
     if (const auto* text = std::get_if<std::string>(&value)) {
         if (std::ranges::find(spec.choices, *text) != spec.choices.end()) return;
+        if (spec.check_contents != nullptr) {
+            try {
+                return spec.check_contents(*text);
+            } catch (const ContentsError& error) {
+                throw OptionError(spec.name, fmt::format("option \"{}\", line {} of its contents: {}",
+                                                         spec.name, error.line, error.what()));
+            }
+        }
         throw OptionError(
             spec.name, unknown_name(fmt::format("value of option \"{}\":", spec.name), *text, spec.choices));
     }

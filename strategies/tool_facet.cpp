@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "strategies/fuzzy_inference.h"
+#include "strategies/fuzzy/interaction.h"
 #include "strategies/leave_tool.h"
 #include "strategies/motion_vector.h"
 

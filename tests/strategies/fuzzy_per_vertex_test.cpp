@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "tests/strategies/fuzzy/paper_rules.h"
 #include "tests/strategies/single_vertex.h"
 
 namespace trocar {
@@ -58,18 +59,18 @@ TEST(FuzzyPerVertex, BetweenPenetrationAndSlidingIsBetweenTheirDirections) {
     EXPECT_TRUE(direction(scene, {{"feedback", false}}).isApprox(expected, 1e-4));
 }
 
-TEST(FuzzyPerVertex, MembershipsSayHowTheCasesPassIntoOneAnother) {
-    // I_C = −0.8, 0.0929 beyond −ε: t = ½ + 0.0929 / 0.5858 of the way to penetration.
+TEST(FuzzyPerVertex, TheRuleBaseSaysHowTheCasesPassIntoOneAnother) {
+    // I_C = −0.8, 0.3858 of 0.5858 on the way from sliding to penetration.
     const Vec3 motion(0.6, 0, -0.8);
     const Scene scene = contract::single_vertex(vertex, contract::flat_base(vertex), motion);
-    const double t = 0.5 + 0.0929 / 0.5858;
+    const double t = 0.3858 / 0.5858;
     const auto expected = [&](double p) { return (p * motion - (1 - p) * Vec3(0, 0, 1)).normalized(); };
-    const auto found = [&](const char* shape) {
-        return direction(scene, {{"feedback", false}, {"memberships", std::string(shape)}});
+    const auto found = [&](const std::string& rules) {
+        return direction(scene, {{"feedback", false}, {"rules", rules}});
     };
-    EXPECT_TRUE(found("ramp").isApprox(expected(t), 1e-12));
-    EXPECT_TRUE(found("smooth").isApprox(expected(t * t * (3 - 2 * t)), 1e-12));
-    EXPECT_TRUE(found("crisp").isApprox(motion, 1e-12));
+    EXPECT_TRUE(found("feedback").isApprox(expected(t), 1e-12));
+    EXPECT_TRUE(found(fuzzy::smooth_rules()).isApprox(expected(1 - 2 * (1 - t) * (1 - t)), 1e-12));
+    EXPECT_TRUE(found(fuzzy::crisp_rules()).isApprox(motion, 1e-12));
 }
 
 TEST(FuzzyPerVertex, FeedbackFollowsTheHandWorkedExample) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "strategies/fuzzy_inference.h"
+#include "tests/strategies/fuzzy/paper_rules.h"
 #include "tests/strategies/scenes.h"
 #include "tests/strategies/single_vertex.h"
 
@@ -55,7 +55,8 @@ Vec3 direction(const Scene& scene, const Options& options = {}) {
 }
 
 Vec3 expected_direction(const Vec3& motion, const Vec3& normal) {
-    return fuzzy::displacement(fuzzy::first_pass(motion.dot(normal)), motion, normal).normalized();
+    return fuzzy::displacement(fuzzy::paper_inference().first(motion.dot(normal)), motion, normal)
+        .normalized();
 }
 
 TEST(JointVertex, MovesAllVerticesAlikeByTheLongestWayOut) {

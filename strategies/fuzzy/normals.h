@@ -1,7 +1,6 @@
 #pragma once
 
 #include "common/cycle/contact.h"
-#include "strategies/fuzzy_inference.h"
 #include "strategies/options.h"
 
 namespace trocar::fuzzy {
@@ -23,9 +22,7 @@ Normals normals_of(const Options& resolved);
 /// n_def of the paper: the outer unit normal of an organ facet; zero for a facet without area.
 Vec3 organ_normal(const Contact& contact, Index facet, Normals normals);
 
-/// The option `memberships` of both fuzzy strategies: the shape of Fig. 2a.
-OptionSpec memberships_option();
-/// Its value.
-Shape shape_of(const Options& resolved);
+/// I_C (eq. 1) of two vectors of unit length, in [−1, 1] whatever their last bits say.
+double collision_index(const Vec3& motion, const Vec3& normal);
 
 }  // namespace trocar::fuzzy

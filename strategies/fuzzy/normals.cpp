@@ -1,4 +1,6 @@
-#include "strategies/fuzzy_reading.h"
+#include "strategies/fuzzy/normals.h"
+
+#include <algorithm>
 
 namespace trocar::fuzzy {
 
@@ -18,17 +20,8 @@ Vec3 organ_normal(const Contact& contact, Index facet, Normals normals) {
                                          : facet_normal(contact.positions, contact.organ.rest.facets[facet]);
 }
 
-OptionSpec memberships_option() {
-    return {
-        .name = "memberships",
-        .default_value = std::string("ramp"),
-        .summary = "how the interaction cases pass into one another around 45°: linearly, smoothly, at once",
-        .choices = {"ramp", "smooth", "crisp"}};
-}
-
-Shape shape_of(const Options& resolved) {
-    const std::string& shape = word(resolved, "memberships");
-    return shape == "ramp" ? Shape::ramp : shape == "smooth" ? Shape::smooth : Shape::crisp;
+double collision_index(const Vec3& motion, const Vec3& normal) {
+    return std::clamp(motion.dot(normal), -1.0, 1.0);
 }
 
 }  // namespace trocar::fuzzy
