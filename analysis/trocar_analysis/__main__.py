@@ -34,7 +34,9 @@ def make_parser() -> argparse.ArgumentParser:
         "--only", action="append", default=[], metavar="KEY=VALUE",
         help="these rows only; values of one key are alternatives; may be given several times",
     )  # fmt: skip
-    show.add_argument("--by", metavar="COLUMN,…", help="columns to group by; default: those that differ")
+    show.add_argument(
+        "--by", metavar="COLUMN,…", help="columns or options of strategies to group by; default: what differs"
+    )
     show.add_argument(
         "--metric", action="append", metavar="NAME",
         help="a column, or a metric: then all its columns; may be given several times",
