@@ -1,4 +1,4 @@
-"""The command line: `/usr/bin/python3 -m trocar_analysis show|snapshot|scene|metrics …`. Exit code 0 when done, 2 for bad
+"""The command line: `/usr/bin/python3 -m trocar_analysis show|snapshot|scene|metrics|rules …`. Exit code 0 when done, 2 for bad
 usage or input, with one line on stderr that says what is wrong."""
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="show|snapshot|scene|metrics")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="show|snapshot|scene|metrics|rules")
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
@@ -34,7 +34,9 @@ def make_parser() -> argparse.ArgumentParser:
         "--only", action="append", default=[], metavar="KEY=VALUE",
         help="these rows only; values of one key are alternatives; may be given several times",
     )  # fmt: skip
-    show.add_argument("--by", metavar="COLUMN,…", help="columns to group by; default: those that differ")
+    show.add_argument(
+        "--by", metavar="COLUMN,…", help="columns or options of strategies to group by; default: what differs"
+    )
     show.add_argument(
         "--metric", action="append", metavar="NAME",
         help="a column, or a metric: then all its columns; may be given several times",
@@ -69,6 +71,10 @@ def make_parser() -> argparse.ArgumentParser:
     metrics = commands.add_parser("metrics", help="pictures of what `trocar snapshot --metric` has measured")
     metrics.add_argument("file", help="description of the pictures, JSON")
     metrics.set_defaults(function=run_metrics)
+
+    rules = commands.add_parser("rules", help="pictures of the rule base that `trocar fuzzy plot` has sampled")
+    rules.add_argument("file", help="description of the rule base, JSON")
+    rules.set_defaults(function=run_rules)
     return parser
 
 
@@ -100,6 +106,12 @@ def run_metrics(arguments: argparse.Namespace) -> None:
     from .metric_picture import draw_metrics
 
     print(draw_metrics(arguments.file))
+
+
+def run_rules(arguments: argparse.Namespace) -> None:
+    from .rule_plot import draw_rules
+
+    print(draw_rules(arguments.file))
 
 
 def main() -> int:

@@ -14,6 +14,10 @@ INK = "#1d2330"  # text
 FAINT_INK = "#626a76"
 BACKGROUND = "#f4f6f8"  # of a panel
 
+# Lines of a diagram that differ in kind; told apart by the colour-blind too (Okabe and Ito), and by their dashes.
+SERIES = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9")
+DASHES = ("solid", (0, (5, 1.5)), (0, (1.5, 1.2)), (0, (5, 1.2, 1.2, 1.2)))
+
 OUTLINE_WIDTH = 1.1  # points
 ARROW_WIDTH = 0.9  # points
 
@@ -26,3 +30,13 @@ STYLE = {
     "savefig.facecolor": "white",
     "svg.hashsalt": "trocar",  # the same picture gives the same file
 }
+
+
+def series(number: int) -> str:
+    """The colour of a diagram's line; they repeat where there are many."""
+    return SERIES[number % len(SERIES)]
+
+
+def dashes(number: int) -> str | tuple:
+    """Its dashes."""
+    return DASHES[number % len(DASHES)]

@@ -8,6 +8,7 @@ import pandas as pd
 
 from .errors import InputError
 from .missing import notes
+from .options import option_columns
 from .store import CONDITIONS, ResultFile
 from .subject import CASES, STATES, Subject, number_of_states, tally
 from .summary import choose_figures, choose_keys, only_rows, summarise
@@ -19,7 +20,7 @@ class Wishes:
     """What a user asks of a table."""
 
     only: list[str] = field(default_factory=list)  # filters "key=value" (see only_rows)
-    by: list[str] | None = None  # columns to group by
+    by: list[str] | None = None  # columns or options to group by
     metrics: list[str] | None = None  # columns or metrics to show
     style: str = "text"  # or "markdown" or "csv"
     width: int | None = None  # the terminal's (see render)
@@ -44,9 +45,11 @@ def show_states(path: str, wishes: Wishes) -> str:
 
 
 def show(path: str, rows: pd.DataFrame, units: dict[str, str], subject: Subject, wishes: Wishes) -> str:
-    rows = only_rows(rows, wishes.only, subject)
-    keys = choose_keys(rows, wishes.by, subject)
     figures = choose_figures(rows, wishes.metrics, subject)
+    options = option_columns(rows, path)
+    known = [*(name for name in subject.keys if name in rows), *options]
+    rows = only_rows(rows.join(options), wishes.only, known)
+    keys = choose_keys(rows, wishes.by, known)
     if not figures:
         raise InputError(f"{path}: has none of the usual figures; name one with --metric")
     summary = summarise(rows, keys, figures, units, subject)

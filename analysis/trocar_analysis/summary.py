@@ -9,26 +9,29 @@ from .errors import InputError, unknown
 from .missing import reasons
 from .store import CONDITIONS
 from .subject import Subject, tally
+from .table import ABSENT
 
+NOTHING = {ABSENT, "nan"}  # what cells without a value say
 PERCENTILES = {"median": 50, "q1": 25, "q3": 75, "min": 0, "max": 100}
 
 
-def only_rows(rows: pd.DataFrame, filters: list[str], subject: Subject) -> pd.DataFrame:
+def only_rows(rows: pd.DataFrame, filters: list[str], keys: list[str]) -> pd.DataFrame:
     """The rows that match "key=value" filters, as `trocar run --only` has them: filters of one key are
-    alternatives, different keys must all match. A strategy goes by its name or its label."""
+    alternatives, different keys must all match. A strategy goes by its name or its label. `keys`: those that a
+    wrong one is compared with."""
     allowed: dict[str, list[str]] = {}
     for text in filters:
         key, equals, value = text.partition("=")
         if not equals:
             raise InputError(f"--only {text}: expected key=value, such as speed=100")
         if key not in rows:
-            raise unknown("key", key, keys_of(rows, subject))
+            raise unknown("key", key, keys)
         allowed.setdefault(key, []).append(value)
     every_row = rows
     for key, values in allowed.items():
         texts = every_row[key].map(lambda cell: f"{cell:g}" if isinstance(cell, float) else str(cell))
         labels = every_row[key.replace("strategy", "label")] if key in ("strategy", "run_strategy") else texts
-        known = {*texts, *labels}
+        known = {*texts, *labels} - NOTHING
         for value in values:
             if value not in known:
                 raise unknown(key, value, sorted(known))
@@ -39,17 +42,13 @@ def only_rows(rows: pd.DataFrame, filters: list[str], subject: Subject) -> pd.Da
     return rows
 
 
-def keys_of(rows: pd.DataFrame, subject: Subject) -> list[str]:
-    return [name for name in subject.keys if name in rows]
-
-
-def choose_keys(rows: pd.DataFrame, asked: list[str] | None, subject: Subject) -> list[str]:
-    """The columns to group by. When none are asked for: speed, other conditions that differ, and the
+def choose_keys(rows: pd.DataFrame, asked: list[str] | None, keys: list[str]) -> list[str]:
+    """The columns to group by, of which a wrong one is compared with `keys`. When none are asked for: speed, other conditions that differ, and the
     label, so that strategies under equal conditions stand below each other."""
     if asked:
         for name in asked:
             if name not in rows:
-                raise unknown("column", name, keys_of(rows, subject))
+                raise unknown("column or option", name, keys)
         return list(dict.fromkeys(asked))
     differing = [
         name

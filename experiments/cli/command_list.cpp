@@ -17,6 +17,7 @@
 #include "experiments/metrics/metric.h"
 #include "experiments/run/case_series.h"
 #include "experiments/scenes/scene.h"
+#include "experiments/sweep/cases.h"
 #include "strategies/registry.h"
 
 namespace trocar {
@@ -51,10 +52,10 @@ void print_named(const std::vector<Entry>& entries) {
     print_aligned(rows, "  ");
 }
 
+/// As a sweep file has it.
 std::string value_text(const OptionValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return fmt::format("\"{}\"", *text);
-    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-    return fmt::format("{}", std::get<double>(value));
+    const std::string text = option_text(value);
+    return std::holds_alternative<std::string>(value) ? fmt::format("\"{}\"", text) : text;
 }
 
 std::string range_text(const OptionSpec& option) {

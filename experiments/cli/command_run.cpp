@@ -163,7 +163,7 @@ void add_run(CLI::App& app, Program& program) {
         ->add_option(
             "--only", options->filters,
             "key=value: run these cases only. Keys: strategy (name or label), organ, tool, scene, speed, "
-            "seed, release. May be given several times: values of one key are alternatives")
+            "seed, release, an option's name. May be given several times: values of one key are alternatives")
         ->allow_extra_args(false);
     command->add_flag("--dry-run", options->dry_run,
                       "check everything and list the cases; run and write nothing");

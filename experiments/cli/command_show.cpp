@@ -16,6 +16,7 @@ constexpr const char* footer =
     "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
     "Example:\n"
     "  trocar show results.h5 --by label,speed --metric depth_max_d_max\n"
+    "  trocar show results.h5 --by aggregate,normals --only feedback=true\n"
     "  trocar show results.h5 --states --only run_label=nearest-face";
 
 struct ShowOptions {
@@ -52,7 +53,8 @@ void add_show(CLI::App& app, Program& program) {
         "the same-state comparison: what each strategy made of states found in the runs; label is "
         "the strategy that answered, run_label the one whose run it was");
     command->add_option("--by", options->by,
-                        "columns to group by, separated by commas; without it: what differs, and the label");
+                        "columns or options of strategies to group by, separated by commas; without it: what "
+                        "differs, and the label");
     command
         ->add_option("--metric", options->metrics,
                      "a column, or a metric for all its columns; may be given several times")

@@ -1,5 +1,6 @@
 #include "experiments/sweep/cases.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "experiments/sweep/hash.h"
@@ -19,6 +20,12 @@ nlohmann::json to_json(const Options& options) {
 }  // namespace
 
 std::string options_json(const Options& options) { return to_json(options).dump(); }
+
+std::string option_text(const OptionValue& value) {
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+    return fmt::format("{}", std::get<double>(value));
+}
 
 std::string release_name(Release release) { return release == Release::contact ? "contact" : "step"; }
 

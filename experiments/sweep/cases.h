@@ -44,10 +44,14 @@ SuitedCases suited(std::vector<CaseInputs> cases);
 /// Resolved options as one line of JSON, keys sorted.
 std::string options_json(const Options& options);
 
+/// A value of an option as text, such as "sum", "true" or "0.5".
+std::string option_text(const OptionValue& value);
+
 /// Keeps the cases that match `key=value` filters: filters of one key are alternatives, different keys must
-/// all match. Keys: strategy (name or label), organ, tool, scene, speed, seed, release. Throws InputError for
-/// a filter that is no key=value, for an unknown key, and for a value that no case has, naming the nearest
-/// one.
+/// all match. Keys: strategy (name or label), organ, tool, scene, speed, seed, release, and every option of
+/// the cases' strategies; a case whose strategy does not have the option does not match. Throws InputError
+/// for a filter that is no key=value, for an unknown key, and for a value that no case has, naming the
+/// nearest one.
 std::vector<CaseInputs> only(std::vector<CaseInputs> cases, std::span<const std::string> filters);
 
 /// The word of a sweep file: "contact" or "step".

@@ -9,8 +9,10 @@ namespace trocar {
 
 // What the lists of a sweep hold, and its two tables of settings. All throw PlacedError.
 
-/// A strategy's name, or a table of `name`, perhaps `label`, and the strategy's own options.
-StrategyChoice read_strategy_entry(const ConfigValue& entry);
+/// A strategy's name, or a table of `name`, perhaps `label`, and the strategy's own options. An option's
+/// value may be a list of values: then there is one choice for each, or for each of the product of several
+/// lists, the last of which changes fastest.
+std::vector<StrategyChoice> read_strategy_entry(const ConfigValue& entry);
 
 /// A formula such as "sphere@4mm", or a table of `file` (relative to `folder`) and perhaps `size` in mm.
 /// Throws MeshError for a file that cannot be used.

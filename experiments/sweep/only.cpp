@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 
@@ -12,8 +11,17 @@
 namespace trocar {
 namespace {
 
-const std::array<std::string, 7> filter_keys{"strategy", "organ", "tool",   "scene",
-                                             "speed",    "seed",  "release"};
+/// Those that every case has, then the options of the cases' strategies.
+std::vector<std::string> filter_keys(const std::vector<CaseInputs>& cases) {
+    std::vector<std::string> keys{"strategy", "organ", "tool", "scene", "speed", "seed", "release"};
+    std::set<std::string> options;
+    for (const CaseInputs& inputs : cases) {
+        for (const auto& option : inputs.strategy.options) options.insert(option.first);
+    }
+    for (const std::string& key : keys) options.erase(key);
+    keys.insert(keys.end(), options.begin(), options.end());
+    return keys;
+}
 
 /// What a filter of that key is compared with.
 std::vector<std::string> values_of(const CaseInputs& inputs, std::string_view key) {
@@ -23,12 +31,15 @@ std::vector<std::string> values_of(const CaseInputs& inputs, std::string_view ke
     if (key == "scene") return {inputs.scene.name};
     if (key == "speed") return {fmt::format("{}", inputs.speed)};
     if (key == "release") return {release_name(inputs.cycle.release)};
-    return {fmt::format("{}", inputs.seed)};
+    if (key == "seed") return {fmt::format("{}", inputs.seed)};
+    const auto option = inputs.strategy.options.find(std::string(key));
+    if (option == inputs.strategy.options.end()) return {};
+    return {option_text(option->second)};
 }
 
 using Filters = std::map<std::string, std::vector<std::string>>;  // key → the values allowed
 
-Filters parsed(std::span<const std::string> texts) {
+Filters parsed(std::span<const std::string> texts, const std::vector<std::string>& keys) {
     Filters filters;
     for (const std::string& text : texts) {
         const std::size_t equals = text.find('=');
@@ -36,8 +47,8 @@ Filters parsed(std::span<const std::string> texts) {
             throw InputError(fmt::format("--only {}: expected key=value, such as speed=100", text));
         }
         const std::string key = text.substr(0, equals);
-        if (std::ranges::find(filter_keys, key) == filter_keys.end()) {
-            throw InputError(fmt::format("--only {}: {}", text, unknown_name("key", key, filter_keys)));
+        if (std::ranges::find(keys, key) == keys.end()) {
+            throw InputError(fmt::format("--only {}: {}", text, unknown_name("key", key, keys)));
         }
         filters[key].push_back(text.substr(equals + 1));
     }
@@ -64,7 +75,7 @@ bool matches(const CaseInputs& inputs, const std::string& key, const std::vector
 }  // namespace
 
 std::vector<CaseInputs> only(std::vector<CaseInputs> cases, std::span<const std::string> filters) {
-    for (const auto& filter : parsed(filters)) {
+    for (const auto& filter : parsed(filters, filter_keys(cases))) {
         for (const std::string& value : filter.second) check_value_exists(cases, filter.first, value);
         std::erase_if(
             cases, [&](const CaseInputs& inputs) { return !matches(inputs, filter.first, filter.second); });

@@ -1,3 +1,10 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "experiments/sweep/cases.h"
 #include "experiments/sweep/entries.h"
 #include "strategies/registry.h"
 
@@ -35,24 +42,72 @@ Options resolved(const Description& strategy, const ConfigTable& given) {
     }
 }
 
+/// The values that an option is given: the one, or those of a list.
+std::vector<ConfigValue> values_of(const ConfigEntry& option) {
+    if (!std::holds_alternative<ConfigList>(option.value.content)) return {option.value};
+    const ConfigList& values = as_list(option.value, option.key);
+    std::vector<OptionValue> earlier;
+    for (const ConfigValue& value : values) {
+        if (std::holds_alternative<ConfigList>(value.content)) {
+            throw PlacedError(value.place,
+                              fmt::format("the list of {} holds a list; its values are tried one "
+                                          "by one, write them without inner brackets",
+                                          option.key));
+        }
+        OptionValue plain = option_value({option.key_place, option.key, value});
+        if (std::ranges::find(earlier, plain) != earlier.end()) {
+            throw PlacedError(value.place, fmt::format("{} lists {} twice", option.key, option_text(plain)));
+        }
+        earlier.push_back(std::move(plain));
+    }
+    return values;
+}
+
+/// One choice of values out of a table's lists.
+struct Variant {
+    ConfigTable options;  ///< without lists
+    std::string label;    ///< the table's, then " option=value" for every list
+};
+
+/// Every variant with every value of one more option, whose values change fastest.
+std::vector<Variant> multiplied(const std::vector<Variant>& variants, const ConfigEntry& option) {
+    const bool is_list = std::holds_alternative<ConfigList>(option.value.content);
+    const std::vector<ConfigValue> values = values_of(option);
+    std::vector<Variant> product;
+    for (const Variant& variant : variants) {
+        for (const ConfigValue& value : values) {
+            Variant& next = product.emplace_back(variant);
+            const ConfigEntry& chosen = next.options.emplace_back(option.key_place, option.key, value);
+            if (is_list) next.label += fmt::format(" {}={}", option.key, option_text(option_value(chosen)));
+        }
+    }
+    return product;
+}
+
 }  // namespace
 
-StrategyChoice read_strategy_entry(const ConfigValue& entry) {
+std::vector<StrategyChoice> read_strategy_entry(const ConfigValue& entry) {
     if (!std::holds_alternative<ConfigTable>(entry.content)) {
         const Description& strategy = find_description(entry);
-        return {.name = strategy.name, .label = strategy.name, .options = resolved(strategy, {})};
+        return {{.name = strategy.name, .label = strategy.name, .options = resolved(strategy, {})}};
     }
-    ConfigTable given = as_table(entry, "a strategy");
+    const ConfigTable& given = as_table(entry, "a strategy");
     const ConfigValue* name = find(given, "name");
     if (name == nullptr) throw PlacedError(entry.place, "a strategy's table needs the key name");
     const Description& strategy = find_description(*name);
     const ConfigValue* label = find(given, "label");
-    StrategyChoice choice{.name = strategy.name,
-                          .label = label == nullptr ? strategy.name : as_text(*label, "label"),
-                          .options = {}};
-    std::erase_if(given, [](const ConfigEntry& one) { return one.key == "name" || one.key == "label"; });
-    choice.options = resolved(strategy, given);
-    return choice;
+    std::vector<Variant> variants{
+        {.options = {}, .label = label == nullptr ? strategy.name : as_text(*label, "label")}};
+    for (const ConfigEntry& one : given) {
+        if (one.key != "name" && one.key != "label") variants = multiplied(variants, one);
+    }
+    std::vector<StrategyChoice> choices;
+    for (Variant& variant : variants) {
+        choices.push_back({.name = strategy.name,
+                           .label = std::move(variant.label),
+                           .options = resolved(strategy, variant.options)});
+    }
+    return choices;
 }
 
 }  // namespace trocar

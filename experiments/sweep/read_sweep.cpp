@@ -57,25 +57,30 @@ std::vector<std::uint64_t> read_seeds(const ConfigTable& table) {
     return seeds;
 }
 
-/// A label that two entries share by default needs another message: the remedy is not to drop one of them.
-void check_labels(const ConfigTable& table, const std::vector<StrategyChoice>& strategies) {
-    const ConfigList& entries = as_list(needed(table, "strategies"), "strategies");
-    for (std::size_t i = 0; i < strategies.size(); ++i) {
-        for (std::size_t earlier = 0; earlier < i; ++earlier) {
-            const StrategyChoice &a = strategies[earlier], &b = strategies[i];
-            if (a.name == b.name && a.options == b.options) {
-                throw PlacedError(entries[i].place,
-                                  fmt::format("strategies lists {} twice with the same options", b.name));
-            }
-            if (a.label == b.label) {
-                throw PlacedError(
-                    entries[i].place,
-                    fmt::format("two strategies have the label \"{}\"; give each its own, such as "
-                                "label = \"{}, variant\"",
-                                b.label, b.name));
-            }
+/// A label that two strategies share by default needs another message: the remedy is not to drop one of them.
+void check_differs(const StrategyChoice& one, const StrategyChoice& earlier, Place place) {
+    if (one.name == earlier.name && one.options == earlier.options) {
+        throw PlacedError(
+            place, fmt::format("strategies lists {} twice with the same options: \"{}\", \"{}\"", one.name,
+                               earlier.label, one.label));
+    }
+    if (one.label == earlier.label) {
+        throw PlacedError(place,
+                          fmt::format("two strategies have the label \"{}\"; give each its own, such as "
+                                      "label = \"{}, variant\"",
+                                      one.label, one.name));
+    }
+}
+
+std::vector<StrategyChoice> read_strategies(const ConfigTable& table) {
+    std::vector<StrategyChoice> strategies;
+    for (const ConfigValue& entry : as_list(needed(table, "strategies"), "strategies")) {
+        for (StrategyChoice& one : read_strategy_entry(entry)) {
+            for (const StrategyChoice& earlier : strategies) check_differs(one, earlier, entry.place);
+            strategies.push_back(std::move(one));
         }
     }
+    return strategies;
 }
 
 Sweep read_tables(const ConfigTable& table, std::string text, const std::filesystem::path& folder) {
@@ -90,10 +95,7 @@ Sweep read_tables(const ConfigTable& table, std::string text, const std::filesys
     const auto scene_of = [&](const ConfigValue& entry) { return read_scene_entry(entry, folder); };
     const auto tool_of = [&](const ConfigValue& entry) { return read_tool_entry(entry, folder); };
     const auto speed_of = [](const ConfigValue& entry) { return as_positive(entry, "a speed"); };
-    for (const ConfigValue& entry : as_list(needed(table, "strategies"), "strategies")) {
-        sweep.strategies.push_back(read_strategy_entry(entry));
-    }
-    check_labels(table, sweep.strategies);
+    sweep.strategies = read_strategies(table);
     sweep.scenes = read_list(table, "scenes", scene_of, [](const SceneChoice& one) { return one.name; });
     sweep.speeds = read_list(table, "speeds", speed_of, std::identity());
     sweep.seeds = read_seeds(table);

@@ -149,7 +149,7 @@ class Refused(ProgramTest):
 
     def test_unknown_names_with_the_nearest_right_one(self):
         write_results(self.file, [{"case_id": "1"}])
-        self.assert_refused("show", self.file, "--by", "sped", saying=["no column 'sped'", "'speed'"])
+        self.assert_refused("show", self.file, "--by", "sped", saying=["no column or option 'sped'", "'speed'"])
         self.assert_refused("show", self.file, "--metric", "depth_mux", saying=["'depth_mux'", "'depth_max'"])
 
     def test_bad_usage(self):

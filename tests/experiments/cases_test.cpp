@@ -13,6 +13,7 @@
 namespace trocar {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
@@ -132,6 +133,27 @@ TEST(Only, ValuesOfOneKeyAreAlternativesAndKeysMustAllMatch) {
               6U);
 }
 
+TEST(Only, ByAnOptionKeepsTheCasesOfStrategiesThatHaveThatValue) {
+    const SweepFolder folder;
+    const std::string listed =
+        R"({ name = "fuzzy-per-vertex", order = ["ring", "strongest-first"], feedback = [true, false] })";
+    const std::vector<CaseInputs> cases =
+        list_cases(folder.read(replaced(small_sweep, "\"fuzzy-per-vertex\"", listed)));
+    ASSERT_THAT(cases, SizeIs(10)) << "those, and nearest-face, which has neither option, with two seeds";
+    const auto labels = [&](const std::vector<std::string>& filters) {
+        std::set<std::string> found;
+        for (const CaseInputs& inputs : only(cases, filters)) found.insert(inputs.strategy.label);
+        return found;
+    };
+    EXPECT_THAT(labels({"feedback=false"}),
+                ElementsAre("fuzzy-per-vertex order=ring feedback=false",
+                            "fuzzy-per-vertex order=strongest-first feedback=false"));
+    EXPECT_THAT(labels({"order=ring", "feedback=true"}),
+                ElementsAre("fuzzy-per-vertex order=ring feedback=true"));
+    EXPECT_THAT(labels({"order=ring", "order=strongest-first"}), SizeIs(4));
+    EXPECT_THAT(labels({"strategy=fuzzy-per-vertex order=ring feedback=true"}), SizeIs(1));
+}
+
 TEST(Only, AMistakeNamesTheNearestWord) {
     const auto message = [](const std::string& filter) -> std::string {
         try {
@@ -145,6 +167,8 @@ TEST(Only, AMistakeNamesTheNearestWord) {
     EXPECT_THAT(message("sped=100"), HasSubstr("did you mean \"speed\"?"));
     EXPECT_THAT(message("strategy=nearest-fase"), HasSubstr("did you mean \"nearest-face\"?"));
     EXPECT_THAT(message("speed=30"), HasSubstr("400"));
+    EXPECT_THAT(message("feedbak=true"), HasSubstr("did you mean \"feedback\"?"));
+    EXPECT_THAT(message("feedback=ture"), HasSubstr("did you mean \"true\"?"));
 }
 
 }  // namespace

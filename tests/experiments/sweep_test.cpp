@@ -74,6 +74,54 @@ TEST(ReadSweep, ACountOfSeedsStandsForTheFirstOnes) {
     EXPECT_THAT(folder.read(replaced(small_sweep, "seeds = 2", "seeds = 4")).seeds, ElementsAre(1, 2, 3, 4));
 }
 
+/// The labels of the strategies of a sweep that has `table` instead of nearest-face.
+std::vector<std::string> labels_with(std::string_view table) {
+    const SweepFolder folder;
+    std::vector<std::string> labels;
+    for (const StrategyChoice& one :
+         folder.read(replaced(small_sweep, "\"nearest-face\"", table)).strategies) {
+        labels.push_back(one.label);
+    }
+    return labels;
+}
+
+TEST(ReadSweep, ListsOfOptionsStandForTheirProductWhoseLastChangesFastest) {
+    const SweepFolder folder;
+    const std::string lists =
+        R"({ name = "fuzzy-per-vertex", aggregate = ["last", "mean-normal"], normals = "reference", feedback = [true, false] })";
+    const Sweep sweep = folder.read(replaced(small_sweep, "\"nearest-face\"", lists));
+    ASSERT_THAT(sweep.strategies, SizeIs(5)) << "the four and the one that follows them";
+    for (std::size_t i = 0; i < 4; ++i) {
+        const StrategyChoice& one = sweep.strategies[i];
+        const std::string aggregate = i < 2 ? "last" : "mean-normal";
+        const bool feedback = i % 2 == 0;
+        EXPECT_EQ(one.name, "fuzzy-per-vertex");
+        EXPECT_EQ(one.label,
+                  "fuzzy-per-vertex aggregate=" + aggregate + " feedback=" + (feedback ? "true" : "false"));
+        EXPECT_EQ(word(one.options, "aggregate"), aggregate);
+        EXPECT_EQ(flag(one.options, "feedback"), feedback);
+        EXPECT_EQ(word(one.options, "normals"), "reference") << "an option that is no list is that of all";
+        EXPECT_EQ(word(one.options, "order"), "ring") << "and one that is not given has its default";
+    }
+}
+
+TEST(ReadSweep, AListedOptionIsTheSameCaseAsTheOptionAlone) {
+    const SweepFolder folder;
+    const auto choices_of = [&](std::string_view table) {
+        return folder.read(replaced(small_sweep, "\"nearest-face\"", table)).strategies;
+    };
+    const StrategyChoice alone =
+        choices_of(R"({ name = "fuzzy-per-vertex", label = "a", order = "strongest-first" })")[0];
+    EXPECT_EQ(
+        choices_of(R"({ name = "fuzzy-per-vertex", label = "a", order = ["strongest-first"] })")[0].options,
+        alone.options);
+}
+
+TEST(ReadSweep, ALabelOfATableWithListsIsFollowedByWhatIsListed) {
+    EXPECT_THAT(labels_with(R"({ name = "fuzzy-per-vertex", label = "mine", feedback = [false] })"),
+                ElementsAre("mine feedback=false", "fuzzy-per-vertex"));
+}
+
 /// One edit of the small sweep, and where and how it must be answered.
 struct Mistake {
     const char* name;
@@ -121,6 +169,24 @@ INSTANTIATE_TEST_SUITE_P(
                 "label"},
         Mistake{"SameStrategy", "\"fuzzy-per-vertex\"", "{ name = \"nearest-face\", label = \"again\" }",
                 "2:31", "twice"},
+        Mistake{"EmptyListOfAnOption", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", feedback = [] }", "2:71", "feedback must have at least one"},
+        Mistake{"ListInAListOfAnOption", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", feedback = [true, [false]] }", "2:78", "inner brackets"},
+        Mistake{"ValueTwiceInAList", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", order = [\"ring\", \"ring\"] }", "2:77",
+                "order lists ring twice"},
+        Mistake{"WrongChoiceInAList", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", order = [\"ring\", \"rnig\"] }", "2:77", "\"ring\""},
+        Mistake{"TableInAListOfAnOption", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", order = [{ a = 1 }] }", "2:69", "not a table"},
+        Mistake{"UnknownOptionWithAList", "\"fuzzy-per-vertex\"",
+                "{ name = \"fuzzy-per-vertex\", normal = [\"current\"] }", "2:60", "\"normals\""},
+        Mistake{"ListOfNames", "\"fuzzy-per-vertex\"", "{ name = [\"fuzzy-per-vertex\"] }", "2:40",
+                "must be a text"},
+        Mistake{"ListThatHasAnotherStrategy", "\"nearest-face\"",
+                "{ name = \"fuzzy-per-vertex\", feedback = [true, false] }", "2:72",
+                "\"fuzzy-per-vertex feedback=true\""},
         Mistake{"UnknownOrgan", "sphere@12mm", "shpere@12mm", "3:11", "did you mean \"sphere\"?"},
         Mistake{"OrganTwice", "\"sphere@12mm\"", "\"sphere@12mm\", \"sphere@12mm\"", "3:26", "twice"},
         Mistake{"OrganFileMissing", "\"sphere@12mm\"", "{ file = \"no.off\" }", "3:20", "no.off"},
