@@ -33,10 +33,13 @@ def column_of(name: str, given: pd.Series) -> pd.Series:
 
 
 def option_text(value: object) -> str:
-    """As a sweep file has it, but for quotes."""
+    """As a sweep file has it, but for quotes. Of the contents of a file, the first line that is no comment."""
     if value is None:
         return ABSENT
-    return value if isinstance(value, str) else json.dumps(value)
+    if not isinstance(value, str):
+        return json.dumps(value)
+    lines = (line for line in value.split("\n") if line and not line.startswith("#"))
+    return next(lines, value) if "\n" in value else value
 
 
 def read_options(said: str, path: str) -> dict[str, object]:

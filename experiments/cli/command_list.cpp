@@ -60,7 +60,8 @@ std::string value_text(const OptionValue& value) {
 
 std::string range_text(const OptionSpec& option) {
     if (std::holds_alternative<std::string>(option.default_value)) {
-        return option.choices.empty() ? "text" : fmt::format("{}", fmt::join(option.choices, " | "));
+        return fmt::format("{}{}", fmt::join(option.choices, " | "),
+                           option.check_contents == nullptr ? "" : " | a file");
     }
     if (std::holds_alternative<bool>(option.default_value)) return "true | false";
     return fmt::format("{} to {}", option.low, option.high);

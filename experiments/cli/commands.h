@@ -31,6 +31,7 @@ void add_list(CLI::App& app, Program& program);
 void add_show(CLI::App& app, Program& program);
 void add_snapshot(CLI::App& app, Program& program);
 void add_check(CLI::App& app, Program& program);
+void add_fuzzy(CLI::App& app, Program& program);
 /// @}
 
 }  // namespace trocar

@@ -21,8 +21,22 @@ nlohmann::json to_json(const Options& options) {
 
 std::string options_json(const Options& options) { return to_json(options).dump(); }
 
+namespace {
+
+/// Of the contents of a file, which may be long, the first line that is no comment.
+std::string telling_line(std::string_view text) {
+    while (text.find('\n') != std::string_view::npos) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        if (!line.empty() && line.front() != '#') return std::string(line);
+        text.remove_prefix(line.size() + 1);
+    }
+    return std::string(text);
+}
+
+}  // namespace
+
 std::string option_text(const OptionValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* text = std::get_if<std::string>(&value)) return telling_line(*text);
     if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     return fmt::format("{}", std::get<double>(value));
 }

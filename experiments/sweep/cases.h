@@ -44,7 +44,8 @@ SuitedCases suited(std::vector<CaseInputs> cases);
 /// Resolved options as one line of JSON, keys sorted.
 std::string options_json(const Options& options);
 
-/// A value of an option as text, such as "sum", "true" or "0.5".
+/// A value of an option as a short text, such as "sum", "true" or "0.5"; of a file's contents the first line
+/// that is no comment.
 std::string option_text(const OptionValue& value);
 
 /// Keeps the cases that match `key=value` filters: filters of one key are alternatives, different keys must

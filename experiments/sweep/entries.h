@@ -11,8 +11,11 @@ namespace trocar {
 
 /// A strategy's name, or a table of `name`, perhaps `label`, and the strategy's own options. An option's
 /// value may be a list of values: then there is one choice for each, or for each of the product of several
-/// lists, the last of which changes fastest.
-std::vector<StrategyChoice> read_strategy_entry(const ConfigValue& entry);
+/// lists, the last of which changes fastest. Where an option takes what a file holds, its value may be a
+/// path, relative to `folder`. Throws InputError, which names file and line, for contents that cannot be
+/// used.
+std::vector<StrategyChoice> read_strategy_entry(const ConfigValue& entry,
+                                                const std::filesystem::path& folder);
 
 /// A formula such as "sphere@4mm", or a table of `file` (relative to `folder`) and perhaps `size` in mm.
 /// Throws MeshError for a file that cannot be used.

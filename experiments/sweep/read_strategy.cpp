@@ -3,13 +3,18 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "experiments/input_error.h"
 #include "experiments/sweep/cases.h"
 #include "experiments/sweep/entries.h"
+#include "experiments/sweep/hash.h"
 #include "strategies/registry.h"
 
 namespace trocar {
 namespace {
+
+namespace fs = std::filesystem;
 
 OptionValue option_value(const ConfigEntry& entry) {
     const ConfigValue& value = entry.value;
@@ -26,9 +31,39 @@ const Description& find_description(const ConfigValue& name) {
     }
 }
 
-Options resolved(const Description& strategy, const ConfigTable& given) {
+/// What the file holds that the value of an option names. Throws InputError, which names the file and the
+/// line, where the option cannot take it.
+std::string contents_of(const OptionSpec& option, const ConfigValue& value, const fs::path& folder) {
+    const fs::path file = folder / as_text(value, option.name);
+    if (!fs::exists(file)) {
+        throw PlacedError(value.place,
+                          fmt::format("{} is neither {} nor a file: there is no {}; paths are relative to "
+                                      "the sweep file",
+                                      option.name, fmt::join(option.choices, " nor "), file.string()));
+    }
+    std::string contents = read_bytes(file);
+    try {
+        option.check_contents(contents);
+    } catch (const ContentsError& error) {
+        throw InputError(fmt::format("{}:{}: {}", file.string(), error.line, error.what()));
+    }
+    return contents;
+}
+
+/// The entry's value; where it names a file whose contents the option takes, the contents.
+OptionValue loaded_value(const Description& strategy, const ConfigEntry& entry, const fs::path& folder) {
+    const auto option = std::ranges::find(strategy.options, entry.key, &OptionSpec::name);
+    const auto* text = std::get_if<std::string>(&entry.value.content);
+    const bool takes_files = option != strategy.options.end() && option->check_contents != nullptr;
+    if (!takes_files || text == nullptr || std::ranges::count(option->choices, *text) != 0) {
+        return option_value(entry);
+    }
+    return contents_of(*option, entry.value, folder);
+}
+
+Options resolved(const Description& strategy, const ConfigTable& given, const fs::path& folder) {
     Options options;
-    for (const ConfigEntry& entry : given) options[entry.key] = option_value(entry);
+    for (const ConfigEntry& entry : given) options[entry.key] = loaded_value(strategy, entry, folder);
     try {
         return resolve_options(strategy.options, options);
     } catch (const OptionError& error) {
@@ -86,10 +121,11 @@ std::vector<Variant> multiplied(const std::vector<Variant>& variants, const Conf
 
 }  // namespace
 
-std::vector<StrategyChoice> read_strategy_entry(const ConfigValue& entry) {
+std::vector<StrategyChoice> read_strategy_entry(const ConfigValue& entry,
+                                                const std::filesystem::path& folder) {
     if (!std::holds_alternative<ConfigTable>(entry.content)) {
         const Description& strategy = find_description(entry);
-        return {{.name = strategy.name, .label = strategy.name, .options = resolved(strategy, {})}};
+        return {{.name = strategy.name, .label = strategy.name, .options = resolved(strategy, {}, folder)}};
     }
     const ConfigTable& given = as_table(entry, "a strategy");
     const ConfigValue* name = find(given, "name");
@@ -105,7 +141,7 @@ std::vector<StrategyChoice> read_strategy_entry(const ConfigValue& entry) {
     for (Variant& variant : variants) {
         choices.push_back({.name = strategy.name,
                            .label = std::move(variant.label),
-                           .options = resolved(strategy, variant.options)});
+                           .options = resolved(strategy, variant.options, folder)});
     }
     return choices;
 }

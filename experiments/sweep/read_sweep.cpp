@@ -72,10 +72,10 @@ void check_differs(const StrategyChoice& one, const StrategyChoice& earlier, Pla
     }
 }
 
-std::vector<StrategyChoice> read_strategies(const ConfigTable& table) {
+std::vector<StrategyChoice> read_strategies(const ConfigTable& table, const std::filesystem::path& folder) {
     std::vector<StrategyChoice> strategies;
     for (const ConfigValue& entry : as_list(needed(table, "strategies"), "strategies")) {
-        for (StrategyChoice& one : read_strategy_entry(entry)) {
+        for (StrategyChoice& one : read_strategy_entry(entry, folder)) {
             for (const StrategyChoice& earlier : strategies) check_differs(one, earlier, entry.place);
             strategies.push_back(std::move(one));
         }
@@ -95,7 +95,7 @@ Sweep read_tables(const ConfigTable& table, std::string text, const std::filesys
     const auto scene_of = [&](const ConfigValue& entry) { return read_scene_entry(entry, folder); };
     const auto tool_of = [&](const ConfigValue& entry) { return read_tool_entry(entry, folder); };
     const auto speed_of = [](const ConfigValue& entry) { return as_positive(entry, "a speed"); };
-    sweep.strategies = read_strategies(table);
+    sweep.strategies = read_strategies(table, folder);
     sweep.scenes = read_list(table, "scenes", scene_of, [](const SceneChoice& one) { return one.name; });
     sweep.speeds = read_list(table, "speeds", speed_of, std::identity());
     sweep.seeds = read_seeds(table);
