@@ -43,11 +43,12 @@ using StoredPoint = std::array<float, 3>;
 
 /// What a replay needs of one step.
 struct ReplayStep {
-    std::vector<StoredPoint> found;     ///< every organ vertex before handling
-    std::vector<StoredPoint> handled;   ///< … after handling
-    std::vector<StoredPoint> deformed;  ///< … after deformation
-    std::array<float, 16> tool_pose{};  ///< 4×4 matrix, row by row: tool frame → world
-    std::vector<std::int32_t> moved;    ///< vertices that the strategy displaced
+    std::vector<StoredPoint> found;               ///< every organ vertex before handling
+    std::vector<StoredPoint> handled;             ///< … after handling
+    std::vector<StoredPoint> deformed;            ///< … after deformation
+    std::array<float, 16> tool_pose{};            ///< 4×4 matrix, row by row: tool frame → world
+    std::vector<std::int32_t> moved;              ///< vertices that the strategy displaced
+    std::vector<std::array<double, 3>> moved_by;  ///< by how much, mm; as many as `moved`
 };
 
 /// Organ and tool through all steps of a case.

@@ -66,13 +66,17 @@ void write_tool_motion(hid_t group, const Replay& replay) {
 
 void write_moved(hid_t group, const Replay& replay) {
     std::vector<std::int32_t> moved;
+    std::vector<std::array<double, 3>> moved_by;
     std::vector<std::int64_t> offsets{0};
     for (const ReplayStep& step : replay.steps) {
         moved.insert(moved.end(), step.moved.begin(), step.moved.end());
+        moved_by.insert(moved_by.end(), step.moved_by.begin(), step.moved_by.end());
         offsets.push_back(static_cast<std::int64_t>(moved.size()));
     }
     hdf5::write_numbers(group, {"moved", "1", "vertices that the strategy displaced, step after step"},
                         {moved.size()}, moved.data());
+    hdf5::write_numbers(group, {"moved_by", "mm", "how the strategy displaced each of them"},
+                        {moved_by.size(), 3}, first_number(moved_by));
     hdf5::write_numbers(group,
                         {"moved_offsets", "1", "step k moved the vertices moved[offsets[k]:offsets[k+1]]"},
                         {offsets.size()}, offsets.data());

@@ -17,6 +17,7 @@ namespace trocar {
 namespace {
 
 constexpr const char* footer =
+    "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
     "Example:\n"
     "  trocar fuzzy rules > my.fll\n"
     "  trocar fuzzy explain --motion 0,0,-1 --normal 0,0,1 --normal 0.6,0,0.8 --option rules=my.fll\n"
@@ -26,6 +27,7 @@ constexpr const char* footer =
 constexpr const char* explain_footer =
     "Either a vertex of a case, which is run anew up to the step; or numbers: a motion and the normals of\n"
     "the facets around a vertex.\n"
+    "Exit codes: 0 done; 2 bad usage or input: no such case, step or vertex.\n"
     "Example:\n"
     "  trocar fuzzy explain sweep.toml --case 3f2a --step 3 --vertex 345\n"
     "  trocar fuzzy explain --motion 0,0,-1 --normal 0.28,0,0.96 --normal -0.48,0.64,0.6";

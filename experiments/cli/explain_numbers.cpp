@@ -65,7 +65,7 @@ std::string explain_numbers(const ExplainNumbers& asked) {
     const Vec3 motion = unit_vector(asked.motion, "--motion");
     std::vector<fuzzy::FacetNormal> facets;
     for (const std::string& normal : asked.normals) {
-        facets.push_back({static_cast<Index>(facets.size()), unit_vector(normal, "--normal")});
+        facets.push_back({static_cast<Index>(facets.size() + 1), unit_vector(normal, "--normal")});
     }
     fuzzy::put_in_order(facets, motion, reading);
     return told(story_of(rules, reading, motion, facets), rules, reading);

@@ -48,7 +48,7 @@ std::string told_rules(const fuzzy::RuleBase& rules, const fuzzy::FacetShare& sh
 
 std::string told_share(const fuzzy::FacetShare& share, std::size_t number, std::size_t count,
                        const fuzzy::RuleBase& rules, const fuzzy::VertexReading& reading) {
-    std::string text = fmt::format("facet {} of {}, number {}: n = {}\n", number, count, share.facet,
+    std::string text = fmt::format("facet {} of {} (number {}): n = {}\n", number, count, share.facet,
                                    vector_text(share.normal));
     text += fmt::format("  I_C = v_m . n = {}: {}\n", number_text(share.collision_index),
                         told_terms(rules, share.collision_index));

@@ -46,7 +46,10 @@ void record_detected(Replay& replay, const Cycle& cycle) {
 void record_handled(Replay& replay, const Cycle& cycle) {
     ReplayStep& step = replay.steps.back();
     step.handled = stored(cycle.positions());
-    for (const VertexDisplacement& moved : cycle.response().displacements) step.moved.push_back(moved.vertex);
+    for (const auto& [vertex, displacement] : cycle.response().displacements) {
+        step.moved.push_back(vertex);
+        step.moved_by.push_back({displacement.x(), displacement.y(), displacement.z()});
+    }
 }
 
 void record_deformed(Replay& replay, const Cycle& cycle) {

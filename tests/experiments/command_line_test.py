@@ -3,13 +3,10 @@
 /usr/bin/python3 command_line_test.py PROGRAM
 """
 
-import os
 import pathlib
 import re
 import signal
 import subprocess
-import sys
-import tempfile
 import unittest
 
 try:
@@ -18,7 +15,8 @@ try:
 except ImportError:
     h5py = None
 
-PROGRAM = ""
+from program_test import ProgramTest, run_tests
+
 PAGES = pathlib.Path(__file__).resolve().parents[2] / "experiments" / "metrics" / "pages"
 
 SWEEP = """name = "small"
@@ -74,31 +72,11 @@ BAD_SWEEPS = {
 }
 
 
-class CommandLine(unittest.TestCase):
+class CommandLine(ProgramTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+        super().setUp()
         self.sweep = self.write("sweep.toml", SWEEP)
         self.out = self.folder / "out.h5"
-
-    def write(self, name, text):
-        path = self.folder / name
-        path.write_text(text)
-        return path
-
-    def run_program(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120)
-
-    def expect_refused(self, message, *arguments):
-        result = self.run_program(*arguments)
-        self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertIn(message, result.stderr)
-
-    def expect_done(self, *arguments):
-        result = self.run_program(*arguments)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return result
 
     def files(self):
         return sorted(path.name for path in self.folder.iterdir())
@@ -106,7 +84,8 @@ class CommandLine(unittest.TestCase):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["list"], ["show"], ["snapshot"], ["check"]):
+        for command in ([], ["run"], ["list"], ["show"], ["snapshot"], ["check"], ["fuzzy"],
+                        ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
             text = self.expect_done(*command, "--help").stdout
             self.assertIn("Example:", text)
             self.assertIn("Exit codes:", text)
@@ -247,7 +226,7 @@ class CommandLine(unittest.TestCase):
     def test_an_interrupted_run_is_130_and_goes_on(self):
         self.sweep.write_text(SWEEP.replace("@10mm", "@2.5mm").replace("seeds = 2", "seeds = 20"))
         process = subprocess.Popen(
-            [PROGRAM, "run", self.sweep, "-o", self.out, "-j", "2"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            [self.program, "run", self.sweep, "-o", self.out, "-j", "2"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
             text=True)  # fmt: skip
         self.assertIn("of 80 cases done", process.stderr.readline())
         process.send_signal(signal.SIGINT)
@@ -337,5 +316,4 @@ def bits(path):
 
 
 if __name__ == "__main__":
-    PROGRAM = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    run_tests()

@@ -78,7 +78,8 @@ Replay sample_replay(std::size_t steps) {
                         .handled = replay.rest_positions,
                         .deformed = replay.rest_positions,
                         .tool_pose = {0, -1, 0, 10, 1, 0, 0, 20, 0, 0, 1, at, 0, 0, 0, 1},
-                        .moved = std::vector<std::int32_t>(k, static_cast<std::int32_t>(k))};
+                        .moved = std::vector<std::int32_t>(k, static_cast<std::int32_t>(k)),
+                        .moved_by = std::vector<std::array<double, 3>>(k, {0.1, -2, static_cast<double>(k)})};
         step.found[0][0] = 100 + at;
         step.handled[1][1] = 200 + at;
         step.deformed[3][2] = 300 + at;

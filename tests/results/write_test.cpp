@@ -102,6 +102,7 @@ TEST_F(WriteTest, ReplayComesBackStepByStep) {
     EXPECT_EQ(at("tool_facets", {1, 3}), (Figures{0, 1, 2}));
     EXPECT_EQ(at("tool_positions", {3, 3}), (Figures{0, 0, 0, 1, 0, 0, 0, 1, 0}));
     EXPECT_EQ(at("moved", {3}), (Figures{1, 2, 2}));
+    EXPECT_EQ(at("moved_by", {3, 3}), (Figures{0.1, -2, 1, 0.1, -2, 2, 0.1, -2, 2}));
     EXPECT_EQ(at("moved_offsets", {4}), (Figures{0, 0, 1, 3}));
 }
 
