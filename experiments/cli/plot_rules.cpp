@@ -1,6 +1,5 @@
 #include "experiments/cli/plot_rules.h"
 
-#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -56,27 +55,31 @@ json outputs_json(const fuzzy::RuleBase& rules) {
     return outputs;
 }
 
-/// The weights over I_C at the first facet, and at further facets that have the same I_C as the first.
+json pass_json(const char* label, const std::vector<double>& x, const auto& weights_at) {
+    json penetration = json::array(), sliding = json::array(), extraction = json::array();
+    for (const double index : x) {
+        const fuzzy::Weights weights = weights_at(index);
+        penetration.push_back(weights.penetration);
+        sliding.push_back(weights.sliding);
+        extraction.push_back(weights.extraction);
+    }
+    return {{"label", label}, {"I_P", penetration}, {"I_S", sliding}, {"I_E", extraction}};
+}
+
+/// The weights over I_C at the first facet, and at a second one after a first of each pure case.
 json response_json(const fuzzy::RuleBase& rules) {
-    constexpr std::array<const char*, 4> facets = {"first facet", "second facet", "third facet",
-                                                   "sixth facet"};
-    constexpr std::array<int, 4> numbers = {1, 2, 3, 6};
     const fuzzy::Inference inference(rules);
     const std::vector<double> x = sampled(-1, 1);
-    json passes = json::array();
-    for (std::size_t k = 0; k < facets.size(); ++k) {
-        json penetration = json::array(), sliding = json::array(), extraction = json::array();
-        for (const double index : x) {
-            fuzzy::Weights weights = inference.first(index);
-            for (int facet = 1; facet < numbers.at(k); ++facet) weights = inference.further(index, weights);
-            penetration.push_back(weights.penetration);
-            sliding.push_back(weights.sliding);
-            extraction.push_back(weights.extraction);
-        }
-        passes.push_back(
-            {{"label", facets.at(k)}, {"I_P", penetration}, {"I_S", sliding}, {"I_E", extraction}});
-    }
-    return {{"x", x}, {"passes", passes}};
+    const auto after = [&](double first) {
+        return [&inference, previous = inference.first(first)](double index) {
+            return inference.further(index, previous);
+        };
+    };
+    return {{"x", x},
+            {"passes",
+             {pass_json("first facet", x, [&](double index) { return inference.first(index); }),
+              pass_json("after penetration", x, after(-1)), pass_json("after sliding", x, after(0)),
+              pass_json("after extraction", x, after(1))}}};
 }
 
 }  // namespace
