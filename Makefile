@@ -20,10 +20,30 @@ apart = $(addprefix --only ,release=contact scene=penetration speed=20 speed=400
     organ=gallbladder@2mm organ=liver@4mm) --by speed,label \
     $(addprefix --metric=,vertices_inside_d_max depth_max_d_max facets_crossing_d_mean tool_points_inside_d_max \
     tool_volume_inside_d_max)
+# What the readings of the paper's method leave: a table for each choice that its text leaves open, and one of all
+# choices but how long a vertex is held. Those of the others are of vertices held while in contact.
+readings_tables = release normals facets feedback all
+readings_release = --by speed,release
+readings_normals = --only release=contact --by speed,normals
+readings_facets = --only release=contact --by speed,aggregate,order
+readings_feedback = --only release=contact --by speed,feedback
+readings_all = --only release=contact --only speed=20 --by aggregate,normals,order,feedback
+readings_metrics = $(addprefix --metric=,tool_volume_inside_d_max depth_max_d_max facets_crossing_d_mean \
+    self_crossings_h_mean spread_mean jitter_mean order_spread_mean_mean order_spread_max)
+define make_readings_table
+	build/trocar show build/readings/readings.h5 --markdown $(readings_$(1)) $(readings_metrics) \
+	    > results/reference/readings_$(1).md
+	$(PYTHON) cmake/readme_part.py strategies/readings.md $(1) results/reference/readings_$(1).md
+
+endef
+define check_readings_table
+	$(PYTHON) cmake/readme_part.py strategies/readings.md $(1) results/reference/readings_$(1).md --check
+
+endef
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper pictures figures everything test sanitize mutate \
-    lint docs bench clean
+.PHONY: help packages lint_packages docs_packages configure build paper pictures figures readings everything test sanitize \
+    mutate lint docs bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' Makefile | expand -t 12
@@ -51,6 +71,11 @@ figures: paper pictures  ## make the table and the picture of README.md anew, an
 	build/trocar show build/paper/paper.h5 --markdown $(apart) > $(apart_table)
 	$(PYTHON) cmake/readme_part.py experiments/metrics/README.md apart $(apart_table)
 
+readings: build  ## run every reading of the paper's method, and make the tables of strategies/readings.md anew
+	mkdir -p build/readings
+	build/trocar run experiments/readings.toml -o build/readings/readings.h5
+	$(foreach table,$(readings_tables),$(call make_readings_table,$(table)))
+
 everything: build  ## run every organ, tool, scene, strategy and release: nothing may fail or fly apart
 	mkdir -p build/everything
 	build/trocar run experiments/everything.toml -o build/everything/everything.h5
@@ -70,6 +95,7 @@ lint: lint_packages docs configure  ## check the format, the C++, the Python and
 	$(scripts) | xargs -0 -r $(PYTHON) -m pyflakes
 	$(PYTHON) cmake/readme_part.py README.md table $(readme_table) --check
 	$(PYTHON) cmake/readme_part.py experiments/metrics/README.md apart $(apart_table) --check
+	$(foreach table,$(readings_tables),$(call check_readings_table,$(table)))
 	$(PYTHON) cmake/readme_part.py README.md consumer tests/package/consumer/consumer.cpp --check
 	$(PYTHON) cmake/clang_tidy.py build/$(PRESET) --jobs $(JOBS)
 

@@ -11,6 +11,7 @@
 #include "common/cycle/check_response.h"
 #include "experiments/run/case_series.h"
 #include "experiments/scenes/draws.h"
+#include "experiments/sweep/cases.h"
 #include "strategies/registry.h"
 
 namespace trocar {
@@ -77,6 +78,7 @@ std::vector<Cell> row(const FoundState& state, const StrategyChoice& choice, con
     std::vector<Cell> cells{
         {"step", "1", "step of the run, from 0", static_cast<std::int64_t>(state.step)},
         {"strategy", "", "strategy that answered", choice.name},
+        {"options", "", "its options, defaults included, as JSON", options_json(choice.options)},
         {"label", "", "its label in tables and figures", choice.label},
         {"reason", "", "why it gave no answer, where it did not", reason},
     };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "run_alone.h"
@@ -53,6 +54,8 @@ TEST(SameState, EveryStrategyAnswersEveryState) {
     EXPECT_EQ(steps.size(), 2U);
     EXPECT_EQ(std::get<std::string>(value(record.states[0], "label")), "nearest-face");
     EXPECT_EQ(std::get<std::string>(value(record.states[1], "label")), "fuzzy-per-vertex");
+    EXPECT_THAT(std::get<std::string>(value(record.states[1], "options")),
+                testing::HasSubstr(R"("aggregate":"sum")"));
     EXPECT_TRUE(std::ranges::is_sorted(record.states, {}, step_of));
 }
 
