@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -25,28 +26,33 @@ class Inference {
     [[nodiscard]] Weights further(double collision_index, const Weights& previous) const;
 
   private:
-    struct Term {
+    /// A term whose membership rises straight from 0 at `from`, is cut off at 1, and falls straight to 0 at
+    /// `to`; a side that it does not have is at infinity.
+    struct StraightTerm {
+        std::size_t input;
+        double from, rise, to, fall, height;
+    };
+    /// Any other term.
+    struct CurvedTerm {
         std::size_t input;
         Membership membership;
     };
+    /// That a rule gives an output a weight. The rule is as strong as `strength` times the degrees of its
+    /// propositions.
     struct Conclusion {
-        std::uint32_t output;
-        double weight;
+        double strength, weight;
+        std::uint32_t one, other;  ///< numbers of degrees; degree 0 is 1
+        std::uint32_t more_begin, more_end;
     };
-    struct FlatRule {
-        double weight;
-        std::uint32_t degrees_begin, degrees_end;  ///< of Table::degrees: its propositions
-        std::uint32_t conclusions_begin, conclusions_end;
-    };
-    /// The rules that can fire for one value of C_1.
+    /// The rules that can fire for one value of C_1, laid out by output.
     struct Table {
-        std::vector<Term> terms;  ///< that its rules ask for
-        std::vector<FlatRule> rules;
-        std::vector<std::uint32_t> degrees;  ///< numbers of `terms`
-        std::vector<Conclusion> conclusions;
+        std::vector<StraightTerm> straight;  ///< degrees 1, 2, …
+        std::vector<CurvedTerm> curved;      ///< … and those behind
+        std::array<std::vector<Conclusion>, output_names.size()> conclusions;
+        std::vector<std::uint32_t> more;  ///< degrees of rules with more than two propositions
     };
+    class TableMaker;
 
-    static Table table_of(const RuleBase& rules, double first_facet);
     [[nodiscard]] Weights evaluate(const Table& table, double collision_index, const Weights& previous) const;
 
     Table first_, further_;

@@ -1,6 +1,7 @@
 // The fuzzy inference: fuzzylite's own evaluation of the rule base that ships, and ours of the same file.
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <random>
 
 #include "tests/strategies/fuzzy/fuzzylite_engine.h"
