@@ -67,6 +67,8 @@ figures: paper pictures  ## make the table and the picture of README.md anew, an
 	build/trocar show build/paper/paper.h5 $(addprefix --only ,release=contact scene=penetration) --markdown \
 	    --by speed,label $(readme_metrics) > $(readme_table)
 	cp build/paper/paper.png results/reference/paper.png
+	build/trocar fuzzy plot -o build/paper/rules
+	cp build/paper/rules/memberships.png build/paper/rules/response.png results/reference
 	$(PYTHON) cmake/readme_part.py README.md table $(readme_table)
 	build/trocar show build/paper/paper.h5 --markdown $(apart) > $(apart_table)
 	$(PYTHON) cmake/readme_part.py experiments/metrics/README.md apart $(apart_table)
@@ -83,6 +85,11 @@ everything: build  ## run every organ, tool, scene, strategy and release: nothin
 
 test: build  ## build and run the tests
 	ctest --preset $(PRESET) --parallel $(JOBS) --no-tests=error
+
+races:  ## run eight threads at once through the fuzzy inference under ThreadSanitizer
+	$(MAKE) configure PRESET=tsan TROCAR_LINK_PROGRAM=OFF
+	cmake --build --preset tsan --target test_strategies --parallel $(JOBS)
+	setarch -R build/tsan/tests/strategies/test_strategies --gtest_filter='EightThreads.*'
 
 sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(MAKE) test PRESET=asan TROCAR_LINK_PROGRAM=OFF

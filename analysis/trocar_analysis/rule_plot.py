@@ -180,7 +180,8 @@ def compose_response(described: dict) -> Figure:
     labels = [f"{k + 1}  {one['label']}" for k, one in enumerate(passes)]
     height = figure.get_figheight()
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(LEFT / WIDTH, 1 - (TITLE_HEIGHT - 0.07) / height),
-                  ncols=len(passes), frameon=False, borderaxespad=0, borderpad=0, handlelength=2.6)  # fmt: skip
+                  ncols=len(passes), frameon=False, borderaxespad=0, borderpad=0, handlelength=2.6,
+                  columnspacing=1.2)  # fmt: skip
     return figure
 
 
