@@ -89,7 +89,7 @@ test: build  ## build and run the tests
 races:  ## run eight threads at once through the fuzzy inference under ThreadSanitizer
 	$(MAKE) configure PRESET=tsan TROCAR_LINK_PROGRAM=OFF
 	cmake --build --preset tsan --target test_strategies --parallel $(JOBS)
-	setarch -R build/tsan/tests/strategies/test_strategies --gtest_filter='EightThreads.*'
+	build/tsan/tests/strategies/test_strategies --gtest_filter='EightThreads.*'
 
 sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(MAKE) test PRESET=asan TROCAR_LINK_PROGRAM=OFF
