@@ -117,4 +117,12 @@ Adjacency::Adjacency(std::size_t vertex_count, std::span<const Facet> facets)
     }
 }
 
+void Adjacency::begin_ring_at(Index vertex, Index facet) {
+    const auto begin = ring_facets_.begin() + ring_offsets_[vertex],
+               end = ring_facets_.begin() + ring_offsets_[vertex + 1];
+    const auto first = std::find(begin, end, facet);
+    if (first == end) fail_at_facet(facet, "is not around vertex " + std::to_string(vertex));
+    std::rotate(begin, first, end);
+}
+
 }  // namespace trocar
