@@ -101,8 +101,9 @@ TEST_F(OrderSpread, EndsWithTheRing) {
 }
 
 TEST_F(OrderSpread, HasNoDirectionWhereAVertexIsNotMoved) {
-    const Judged once = step({{{0, at_angle(0)}}, {}, {{0, Vec3::Zero()}}, {}, {}});
-    EXPECT_EQ(largest(once), 0) << "of vertex 2";
+    const Judged once =
+        step({{{0, at_angle(0)}, {1, at_angle(0)}}, {{1, at_angle(30)}}, {{0, Vec3::Zero()}}});
+    EXPECT_NEAR(mean(once), 30 / 2.0, 1e-12) << "of vertices 1 and 2";
     const Judged twice = step({{{0, at_angle(0)}}, {}, {{0, Vec3::Zero()}}, {}, {{0, at_angle(40)}}});
     EXPECT_NEAR(largest(twice), 40, 1e-12);
     EXPECT_NEAR(mean(twice), 40 / 2.0, 1e-12) << "of vertices 0 and 2; vertex 1 does not count";
