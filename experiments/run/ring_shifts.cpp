@@ -40,30 +40,36 @@ std::size_t longest_ring(const Adjacency& around, std::span<const Index> vertice
     return longest;
 }
 
-}  // namespace
-
-void RingShifts::shift_rings(std::span<const Index> vertices, std::size_t shift) {
+/// Has the rings of the vertices begin so many facets after where they do in `original`.
+void shift_rings(const Adjacency& original, std::span<const Index> vertices, std::size_t shift,
+                 Adjacency& shifted) {
     for (const Index vertex : vertices) {
-        const auto ring = organ_.adjacency.ring(vertex);
-        if (!ring.empty()) shifted_->adjacency.begin_ring_at(vertex, ring[shift % ring.size()]);
+        const auto ring = original.ring(vertex);
+        if (!ring.empty()) shifted.begin_ring_at(vertex, ring[shift % ring.size()]);
     }
 }
 
+}  // namespace
+
 ShiftedAnswers RingShifts::ask(Strategy& strategy, const Description& description, const Contact& contact) {
     if (description.keeps_state) return {.displacements = {}, .missing = Missing::keeps_state};
-    if (!shifted_) shifted_ = organ_;
     ShiftedAnswers answers{.displacements = {}, .missing = Missing::nothing};
+    if (contact.collided.empty()) return answers;
+    Organ& shifted = shifted_ ? *shifted_ : shifted_.emplace(organ_);
+    const auto shift_to = [&](std::size_t shift) {
+        shift_rings(organ_.adjacency, contact.collided, shift, shifted.adjacency);
+    };
     const std::size_t shifts = longest_ring(organ_.adjacency, contact.collided);
     for (std::size_t shift = 0; shift < shifts; ++shift) {
-        shift_rings(contact.collided, shift);
-        std::optional<Response> response = answer_with(*shifted_, contact, strategy);
+        shift_to(shift);
+        std::optional<Response> response = answer_with(shifted, contact, strategy);
         if (!response) {
             answers = {.displacements = {}, .missing = Missing::no_answer};
             break;
         }
         answers.displacements.push_back(std::move(response->displacements));
     }
-    shift_rings(contact.collided, 0);
+    shift_to(0);
     return answers;
 }
 

@@ -20,8 +20,6 @@ class RingShifts {
     ShiftedAnswers ask(Strategy& strategy, const Description& description, const Contact& contact);
 
   private:
-    void shift_rings(std::span<const Index> vertices, std::size_t shift);
-
     const Organ& organ_;
     std::optional<Organ> shifted_;  // equal to it but for where rings begin; between questions in that too
 };

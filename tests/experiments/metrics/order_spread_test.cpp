@@ -28,7 +28,7 @@ JudgedSteps three_fans() {
     const auto add_fan = [&](Index middle, int corners, bool closed) {
         const auto first = static_cast<Index>(mesh.positions.size());
         for (int k = 0; k < corners; ++k) {
-            mesh.positions.push_back(100 * at_angle(360.0 * k / corners) + 1000 * middle * Vec3::UnitY());
+            mesh.positions.emplace_back(100 * at_angle(360.0 * k / corners) + 1000 * middle * Vec3::UnitY());
         }
         for (Index k = 0; k < corners - (closed ? 0 : 1); ++k) {
             mesh.facets.push_back({middle, first + k, first + (k + 1) % corners});
