@@ -60,12 +60,13 @@ def choose_keys(rows: pd.DataFrame, asked: list[str] | None, keys: list[str]) ->
 
 def choose_figures(rows: pd.DataFrame, asked: list[str] | None, subject: Subject) -> list[str]:
     """The columns to summarise. A name is a column's, or a metric's (with or without its moment): then all of
-    its columns. When none is asked for: the usual ones that the file has."""
+    its columns; if it is both, as order_spread_mean is, all of these. When none is asked for: the usual ones that
+    the file has."""
     numbers = [name for name in rows if pd.api.types.is_numeric_dtype(rows[name])]
     names = {column: metric_names(column, subject) for column in numbers if column not in subject.no_figures}
     chosen: list[str] = []
     for name in asked or subject.usual:
-        found = [name] if name in names else [column for column in names if name in names[column]]
+        found = [column for column in names if name == column or name in names[column]]
         if not found and asked:
             raise unknown("metric", name, {*names}.union(*names.values()))
         chosen += found

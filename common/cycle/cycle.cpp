@@ -67,21 +67,25 @@ void Cycle::release_held() {
     });
 }
 
+Contact Cycle::contact() const {
+    return {.organ = organ_,
+            .positions = state_.positions,
+            .velocities = state_.velocities,
+            .tool = tool_,
+            .motion = motion_,
+            .collided = detected_.collided,
+            .crossed = detected_.crossed,
+            .near_vertices = detected_.near_vertices,
+            .near_facets = detected_.near_facets,
+            .clearance = settings_.clearance,
+            .dt = settings_.dt()};
+}
+
 void Cycle::handle(const Handler& handler) {
-    const Contact contact{.organ = organ_,
-                          .positions = state_.positions,
-                          .velocities = state_.velocities,
-                          .tool = tool_,
-                          .motion = motion_,
-                          .collided = detected_.collided,
-                          .crossed = detected_.crossed,
-                          .near_vertices = detected_.near_vertices,
-                          .near_facets = detected_.near_facets,
-                          .clearance = settings_.clearance,
-                          .dt = settings_.dt()};
+    const Contact found = contact();
     times_.handle = timed([&] {
         response_.clear();
-        handler(contact, response_);
+        handler(found, response_);
     });
     check_response(response_, state_.positions.size());
     apply_response();

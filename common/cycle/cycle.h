@@ -63,6 +63,9 @@ class Cycle {
     /// Ends the step: the deformation moves all vertices that are not held.
     void deform();
 
+    /// What handling is given in this step. It views the organ as it is now: between `detect` and `handle` as
+    /// the step found it, afterwards as it was moved.
+    [[nodiscard]] Contact contact() const;
     /// Of every organ vertex, mm; a view of the organ as it is now.
     [[nodiscard]] std::span<const Vec3> positions() const { return state_.positions; }
     /// Of every organ vertex, mm/s.

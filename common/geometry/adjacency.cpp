@@ -117,4 +117,12 @@ Adjacency::Adjacency(std::size_t vertex_count, std::span<const Facet> facets)
     }
 }
 
+void Adjacency::begin_ring_at(Index vertex, Index facet) {
+    const std::span fan(ring_facets_.begin() + ring_offsets_[vertex],
+                        ring_facets_.begin() + ring_offsets_[vertex + 1]);
+    const auto found = std::ranges::find(fan, facet);
+    if (found == fan.end()) fail_at_facet(facet, "is not around vertex " + std::to_string(vertex));
+    std::ranges::rotate(fan, found);
+}
+
 }  // namespace trocar

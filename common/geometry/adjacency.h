@@ -20,10 +20,15 @@ class Adjacency {
     Adjacency(std::size_t vertex_count, std::span<const Facet> facets);
 
     /// N(i) of the paper: the facets around `vertex`, counter-clockwise seen from outside, starting with the
-    /// one of lowest index. At a boundary vertex the fan is open: the facet after its last one is its first.
+    /// one of lowest index, until begin_ring_at says otherwise. At a boundary vertex the fan is open: the
+    /// facet after its last one is its first.
     [[nodiscard]] std::span<const Index> ring(Index vertex) const {
         return entries(ring_facets_, ring_offsets_, vertex);
     }
+    /// Turns the ring of `vertex` so that it begins at `facet`, an open fan likewise. The surface is the
+    /// same: this is for asking how much an answer depends on where rings begin. Throws std::invalid_argument
+    /// when `facet` is not in the ring.
+    void begin_ring_at(Index vertex, Index facet);
     /// The vertices that share an edge with `vertex`, by ascending index.
     [[nodiscard]] std::span<const Index> neighbours(Index vertex) const {
         return entries(neighbours_, neighbour_offsets_, vertex);

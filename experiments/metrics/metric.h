@@ -21,7 +21,8 @@ enum class Moment {
 /// What taking it costs.
 enum class Cost {
     low,   ///< little beside the step itself: taken by `--metrics fast` too
-    high,  ///< looks at the tool's volume or surface, or at the organ's facets pair by pair
+    high,  ///< looks at the tool's volume or surface, or at the organ's facets pair by pair, or has the
+           ///< strategy asked again
 };
 
 /// One metric. Its function looks at one step.
@@ -32,7 +33,8 @@ struct Metric {
     std::string better;      ///< "low", "high" or "neither"
     std::vector<Moment> moments;
     Cost cost = Cost::low;
-    bool of_paths = false;  ///< it reads Judged::paths: vertices are followed in every step, sampled or not
+    bool of_paths = false;   ///< it reads Judged::paths: vertices are followed in every step, sampled or not
+    bool of_shifts = false;  ///< it reads Judged::shifted: the strategy is asked again in sampled steps
     Measured (*value)(const Judged& step, Moment moment);
 };
 

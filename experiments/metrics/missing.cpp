@@ -18,6 +18,10 @@ std::string_view missing_reason(Missing missing) {
             return "no edge collided";
         case Missing::motion_along_normal:
             return "motion along the normal";
+        case Missing::no_direction:
+            return "no direction";
+        case Missing::keeps_state:
+            return "strategy keeps state";
         case Missing::open_organ:
             return "open organ";
         case Missing::empty_region:

@@ -15,6 +15,8 @@ enum class Missing : std::uint8_t {
     no_edge_collided,     ///< no edge has the collided ends that the metric needs
     motion_along_normal,  ///< at no collided vertex does the tool move sideways: it is still, or on the
                           ///< normal
+    no_direction,         ///< handling moves no collided vertex often enough for two directions
+    keeps_state,          ///< the strategy keeps state, so that asking it again would change it
     open_organ,           ///< the organ encloses no volume
     empty_region,         ///< no vertex of the organ at rest is near the tool's sweep
     too_early,            ///< there are no two steps before this one

@@ -15,8 +15,10 @@
 #include "experiments/run/case_series.h"
 #include "experiments/run/figures.h"
 #include "experiments/run/replay_recorder.h"
+#include "experiments/run/ring_shifts.h"
 #include "experiments/run/same_state.h"
 #include "experiments/scenes/scene.h"
+#include "strategies/registry.h"
 
 namespace trocar {
 namespace {
@@ -69,6 +71,12 @@ Outcome run_steps(const CaseInputs& inputs, const PreparedScene& scene, Strategy
     const Handler handler = [&](const Contact& contact, Response& response) {
         strategy.handle(contact, response);
     };
+    RingShifts shifts(organ);
+    const AskShifted ask = [&] {
+        Contact contact = cycle.contact();
+        contact.positions = judge.step().at(Moment::before).positions();  // handling has moved the cycle's
+        return shifts.ask(strategy, find_strategy(inputs.strategy.name).description, contact);
+    };
     for (std::size_t step = 0; step < scene.poses.size(); ++step) {
         if (stop.stop_requested()) return {.status = CaseStatus::complete, .reason = {}, .stopped = true};
         cycle.move(scene.poses[step]);
@@ -76,7 +84,7 @@ Outcome run_steps(const CaseInputs& inputs, const PreparedScene& scene, Strategy
         judge.before(cycle.positions(), cycle.tool().pose());
         if (gathered.replay) record_detected(*gathered.replay, cycle);
         cycle.handle(handler);
-        judge.handled(cycle.positions(), cycle.response().fallbacks);
+        judge.handled(cycle.positions(), cycle.response().fallbacks, ask);
         if (gathered.replay) record_handled(*gathered.replay, cycle);
         if (scene.window[step] && !cycle.detected().collided.empty()) {
             sampler.offer(step, cycle, judge.step());

@@ -10,6 +10,7 @@
 
 #include "common/cycle/check_response.h"
 #include "experiments/run/case_series.h"
+#include "experiments/run/ring_shifts.h"
 #include "experiments/scenes/draws.h"
 #include "experiments/sweep/cases.h"
 #include "strategies/registry.h"
@@ -24,40 +25,47 @@ std::uint64_t leading_bits(const std::string& hash) {
     return bits;
 }
 
-/// The positions of the state once the strategy has handled it. Throws what the strategy throws, and what
-/// check_response throws.
-std::vector<Vec3> handle(const FoundState& state, Strategy& strategy, const CycleSettings& cycle,
-                         Response& response) {
+/// What a strategy is given in this state; views of it and of the tool.
+Contact contact_of(const FoundState& state, const PlacedTool& tool, const CycleSettings& cycle) {
     const JudgedState& before = state.judged.at(Moment::before);
-    const PlacedTool tool(before.tool().tool(), before.pose());
-    std::vector<Vec3> positions = before.positions();
-    strategy.handle({.organ = before.organ().organ(),
-                     .positions = before.positions(),
-                     .velocities = state.velocities,
-                     .tool = tool,
-                     .motion = state.motion,
-                     .collided = state.detected.collided,
-                     .crossed = state.detected.crossed,
-                     .near_vertices = state.detected.near_vertices,
-                     .near_facets = state.detected.near_facets,
-                     .clearance = cycle.clearance,
-                     .dt = cycle.dt()},
-                    response);
+    return {.organ = before.organ().organ(),
+            .positions = before.positions(),
+            .velocities = state.velocities,
+            .tool = tool,
+            .motion = state.motion,
+            .collided = state.detected.collided,
+            .crossed = state.detected.crossed,
+            .near_vertices = state.detected.near_vertices,
+            .near_facets = state.detected.near_facets,
+            .clearance = cycle.clearance,
+            .dt = cycle.dt()};
+}
+
+/// Has the strategy handle the contact, and puts that in the place of how `judged` was handled. Throws what
+/// the strategy throws, and what check_response throws.
+void handle(const Contact& contact, Strategy& strategy, Judged& judged) {
+    Response response;
+    strategy.handle(contact, response);
+    std::vector<Vec3> positions = judged.at(Moment::before).positions();
     check_response(response, positions.size());
     for (const auto& [vertex, displacement] : response.displacements) positions[vertex] += displacement;
-    return positions;
+    judged.handled.emplace(judged.organ(), judged.tool(), positions, judged.at(Moment::before).pose());
+    judged.fallbacks = response.fallbacks;
 }
 
 /// What the strategy makes of the state. Throws what `handle` throws.
-Judged answer_of(const FoundState& state, const StrategyChoice& choice, const std::string& own,
-                 const CycleSettings& cycle) {
+Judged answer_of(const FoundState& state, const StrategyChoice& choice, const CaseOptions& options,
+                 const std::string& own, const CycleSettings& cycle) {
     Judged judged = state.judged;
-    if (choice.label == own) return judged;
+    const PlacedTool tool(judged.tool().tool(), judged.at(Moment::before).pose());
+    const Contact contact = contact_of(state, tool, cycle);
     const auto strategy = make_strategy(choice.name, choice.options);
-    Response response;
-    const std::vector<Vec3> positions = handle(state, *strategy, cycle, response);
-    judged.handled.emplace(judged.organ(), judged.tool(), positions, judged.at(Moment::before).pose());
-    judged.fallbacks = response.fallbacks;
+    if (choice.label != own) handle(contact, *strategy, judged);
+    // Also of the run's own: in a step that was not sampled it was not asked.
+    if (need_shifts(options.metrics)) {
+        RingShifts shifts(contact.organ);
+        judged.shifted = shifts.ask(*strategy, find_strategy(choice.name).description, contact);
+    }
     return judged;
 }
 
@@ -67,7 +75,7 @@ std::vector<Cell> row(const FoundState& state, const StrategyChoice& choice, con
     std::vector<Measured> values(readings.size(), Missing::no_answer);
     std::string reason;
     try {
-        values = values_of(readings, answer_of(state, choice, own, cycle));
+        values = values_of(readings, answer_of(state, choice, options, own, cycle));
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {

@@ -89,6 +89,18 @@ class Show(ProgramTest):
         (row,) = self.tidy("--metric", "depth_max")
         self.assertEqual((row["metric"], float(row["median"])), ("depth_max_d_max", third))
 
+    def test_a_name_of_a_metric_and_of_anothers_column_is_both(self):
+        # The mean of order_spread over the steps, and what there is of the metric order_spread_mean.
+        figures = {"order_spread_mean": 60.0, "order_spread_max": 80.0, "order_spread_mean_mean": 20.0}
+        self.write(cases_of("a", 100, [0.0], **figures))
+        names = ("order_spread_mean", "order_spread", "order_spread_mean_mean")
+        asked = {name: self.tidy("--metric", name) for name in names}
+        medians = {name: {row["metric"]: float(row["median"]) for row in rows} for name, rows in asked.items()}
+        mean_mean = {"order_spread_mean_mean": 20}
+        self.assertEqual(medians["order_spread_mean"], {"order_spread_mean": 60, **mean_mean})
+        self.assertEqual(medians["order_spread"], {"order_spread_mean": 60, "order_spread_max": 80})
+        self.assertEqual(medians["order_spread_mean_mean"], mean_mean)
+
     def test_times_are_shown_in_readable_units(self):
         self.write(cases_of("a", 100, [0.0], time_handle_p50=12345.0))
         text = self.output_of("show", self.file, "--metric", "time_handle")

@@ -40,6 +40,23 @@ TEST(Adjacency, OpenFanIsTurnedToItsLowestFacet) {
     EXPECT_FALSE(around.closed());
 }
 
+TEST(Adjacency, ARingCanBeginAtAnyOfItsFacets) {
+    Adjacency around(4, tetrahedron);
+    around.begin_ring_at(3, 2);
+    EXPECT_THAT(around.ring(3), ElementsAre(2, 3, 1));
+    around.begin_ring_at(3, 3);
+    EXPECT_THAT(around.ring(3), ElementsAre(3, 1, 2));
+    EXPECT_THAT(around.ring(0), ElementsAre(0, 1, 3)) << "others are as they were";
+    EXPECT_THAT(around.ring(2), ElementsAre(0, 3, 2));
+    around.begin_ring_at(3, 1);
+    EXPECT_THAT(around.ring(3), ElementsAre(1, 2, 3));
+    EXPECT_THROW(around.begin_ring_at(3, 0), std::invalid_argument) << "it is on the other side";
+
+    Adjacency open(5, std::vector<Facet>{{0, 2, 3}, {3, 4, 0}, {1, 2, 0}});
+    open.begin_ring_at(0, 2);
+    EXPECT_THAT(open.ring(0), ElementsAre(2, 0, 1));
+}
+
 TEST(Adjacency, VertexWithoutFacets) {
     const Adjacency around(5, tetrahedron);
     EXPECT_THAT(around.ring(4), IsEmpty());

@@ -1,7 +1,9 @@
 #include "experiments/run/run_case.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 
@@ -33,9 +35,17 @@ CaseInputs small_case() {
     return list_cases(folder.read(small_sweep)).front();
 }
 
+/// What is measured: metrics that have no strategy asked again, so that one can count its steps.
+CaseOptions once_a_step() {
+    CaseOptions options;
+    options.metrics = choose_metrics("fast");
+    options.replay = true;
+    return options;
+}
+
 CaseRecord run_scripted(Handler handler) {
     Scripted strategy(std::move(handler));
-    return run_alone(small_case(), strategy, true).value();
+    return run_alone(small_case(), strategy, once_a_step()).value();
 }
 
 const Value& value(const CaseRecord& record, std::string_view column) {
@@ -89,6 +99,10 @@ TEST(RunCase, FiguresFollowFromTheSeriesOverTheWindow) {
 
 std::vector<double> values(const CaseRecord& record, std::string_view name) {
     return std::ranges::find(record.series, name, &Series::name)->values;
+}
+
+bool same_bits(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 /// One in which vertices collide in several steps.
@@ -150,8 +164,60 @@ TEST(RunCase, IsJudgedAtMostThirtyTimesASecond) {
     EXPECT_GT(std::get<double>(value(record, "collided_vertices_max")), 0);
 }
 
+TEST(RunCase, AsksTheStrategyAgainOnlyForMetricsThatNeedIt) {
+    const auto calls_with = [](std::string_view metrics) {
+        int calls = 0;
+        Scripted strategy([&](const Contact&, Response&) { ++calls; });
+        const CaseRecord record = run_alone(small_case(), strategy, asking_for(metrics)).value();
+        return calls - static_cast<int>(record.time.size());
+    };
+    EXPECT_EQ(calls_with("fast"), 0);
+    EXPECT_GT(calls_with("order_spread_mean"), 0);
+}
+
+TEST(RunCase, AsksTheStrategyAgainOfWhatItWasGiven) {
+    const CaseInputs inputs = finer_case();
+    std::vector<Vec3> found, velocities;
+    int again = 0;
+    Scripted strategy([&](const Contact& contact, Response& response) {
+        if (&contact.organ == inputs.organ.organ.get()) {
+            found.assign(contact.positions.begin(), contact.positions.end());
+            velocities.assign(contact.velocities.begin(), contact.velocities.end());
+        } else {
+            ++again;
+            EXPECT_TRUE(std::ranges::equal(contact.positions, found));
+            EXPECT_TRUE(std::ranges::equal(contact.velocities, velocities));
+        }
+        for (const Index vertex : contact.collided)
+            response.displacements.push_back({vertex, Vec3(0, 0, -1)});
+    });
+    const CaseRecord record = run_alone(inputs, strategy, asking_for("order_spread")).value();
+    EXPECT_EQ(std::get<double>(value(record, "order_spread_max")), 0);
+    EXPECT_GT(again, 1);
+}
+
+TEST(RunCase, IsTheSameToTheBitWhetherTheStrategyIsAskedAgainOrNot) {
+    CaseInputs inputs = finer_case();
+    inputs.strategy = {.name = "fuzzy-per-vertex", .label = "fuzzy", .options = {}};
+    const std::string others = "collided_vertices,depth_max,displacement_mean,strain,jitter,fallbacks";
+    CaseOptions with = asking_for(others + ",order_spread,order_spread_mean"), without = asking_for(others);
+    with.replay = without.replay = true;
+    const CaseRecord asked = run_asking(inputs, with), alone = run_asking(inputs, without);
+    EXPECT_GT(std::get<double>(value(asked, "order_spread_max")), 0);
+    for (const Series& series : alone.series) {
+        if (series.name.starts_with("time_")) continue;
+        EXPECT_TRUE(std::ranges::equal(values(asked, series.name), series.values, [](double a, double b) {
+            return same_bits(a, b);
+        })) << series.name;
+    }
+    ASSERT_EQ(asked.replay->steps.size(), alone.replay->steps.size());
+    for (std::size_t step = 0; step < alone.replay->steps.size(); ++step) {
+        EXPECT_EQ(asked.replay->steps[step].deformed, alone.replay->steps[step].deformed) << "step " << step;
+    }
+}
+
 void expect_no_figures(const CaseRecord& record) {
-    EXPECT_EQ(columns(record), columns(run_alone(small_case(), false)));
+    EXPECT_EQ(columns(record), columns(run_asking(small_case(), once_a_step())));
     EXPECT_TRUE(std::isnan(std::get<double>(value(record, "collided_vertices_max"))));
     EXPECT_TRUE(std::isnan(std::get<double>(value(record, "time_cycle_over_1ms"))));
 }
@@ -192,7 +258,7 @@ TEST(RunCase, ASeedWithoutAPlaceFailsWithItsReason) {
     const std::string thick =
         replaced(small_sweep, "\"prism-6\"", "{ shape = \"prism\", sides = 6, radius = 70, length = 200 }");
     const CaseInputs on_sheet = list_cases(folder.read(replaced(thick, "sphere@12mm", "sheet@12mm"))).front();
-    const CaseRecord record = run_alone(on_sheet, false);
+    const CaseRecord record = run_asking(on_sheet, once_a_step());
     EXPECT_EQ(text(record, "status"), "failed") << "no point of the sheet is two radii from its boundary";
     EXPECT_NE(text(record, "reason"), "");
     expect_no_figures(record);
@@ -204,7 +270,7 @@ TEST(RunCase, StopsBetweenStepsWhenAsked) {
     Scripted strategy([&](const Contact&, Response&) {
         if (++calls == 2) stop.request_stop();
     });
-    EXPECT_FALSE(run_alone(small_case(), strategy, false, stop.get_token()));
+    EXPECT_FALSE(run_alone(small_case(), strategy, once_a_step(), stop.get_token()));
     EXPECT_EQ(calls, 2);
 }
 

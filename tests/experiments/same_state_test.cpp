@@ -90,6 +90,27 @@ TEST(SameState, AnotherStrategyGetsTheStateThatTheRunFound) {
     }
 }
 
+TEST(SameState, AsksEveryStrategyAgainAlsoInStepsThatAreNotSampled) {
+    CaseInputs inputs = two_cases()[1];
+    inputs.cycle.rate = 60;
+    CaseOptions options = comparing(1000);
+    options.metrics = choose_metrics("order_spread,order_spread_mean");
+    const CaseRecord record = run(inputs, options);
+    int fuzzy = 0;
+    for (const auto& row : record.states) {
+        const double spread = std::get<double>(value(row, "order_spread"));
+        const double mean = std::get<double>(value(row, "order_spread_mean"));
+        ASSERT_FALSE(std::isnan(spread)) << "step " << step_of(row);
+        EXPECT_LE(mean, spread);
+        if (std::get<std::string>(value(row, "label")) == "nearest-face") {
+            EXPECT_EQ(spread, 0);
+        } else if (spread > 0) {
+            ++fuzzy;
+        }
+    }
+    EXPECT_GT(fuzzy, 1);
+}
+
 TEST(SameState, ChangesNothingInTheRun) {
     const CaseRecord with = run(two_cases()[1], comparing(5)), without = run(two_cases()[1], comparing(0));
     EXPECT_TRUE(without.states.empty());

@@ -37,7 +37,7 @@ Measured judge_example(const Example& example) {
         judge.deformed(example.before);
     }
     judge.before(example.before, example.end);
-    judge.handled(example.handled, example.fallbacks);
+    judge.handled(example.handled, example.fallbacks, [&] { return example.shifted; });
     judge.deformed(example.deformed);
     return judge.settings().metrics.front()->value(judge.step(), example.moment);
 }

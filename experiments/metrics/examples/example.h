@@ -7,6 +7,7 @@
 
 #include "common/tool/tool.h"
 #include "experiments/metrics/judge/judged_organ.h"
+#include "experiments/metrics/judge/shifted_answers.h"
 #include "experiments/metrics/metric.h"
 
 namespace trocar {
@@ -53,6 +54,7 @@ struct Example {
     std::vector<Vec3> before{}, handled{}, deformed{};  ///< every vertex at the step's moments, mm
     std::vector<Index> region{};                        ///< vertices near the tool's sweep, ascending
     std::int64_t fallbacks = 0;
+    ShiftedAnswers shifted{};  ///< of a strategy that has been made up too
 
     Eye eye{};
     std::vector<Panel> panels{};

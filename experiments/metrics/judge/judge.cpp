@@ -37,6 +37,10 @@ std::vector<Reading> handled_readings(std::span<const Metric* const> metrics) {
                        [](Moment moment) { return moment == Moment::before || moment == Moment::handled; });
 }
 
+bool need_shifts(std::span<const Metric* const> metrics) {
+    return std::ranges::any_of(metrics, &Metric::of_shifts);
+}
+
 std::vector<Measured> values_of(std::span<const Reading> readings, const Judged& step) {
     std::vector<Measured> values;
     values.reserve(readings.size());
@@ -68,16 +72,17 @@ void Judge::before(std::span<const Vec3> positions, const Pose& tool) {
     ++steps_;
 }
 
-void Judge::handled(std::span<const Vec3> positions, std::int64_t fallbacks) {
+void Judge::handled(std::span<const Vec3> positions, std::int64_t fallbacks, const AskShifted& ask) {
     step_.handled = look(positions);
     step_.fallbacks = fallbacks;
+    step_.shifted = ask && sampled() && need_shifts(settings_.metrics) ? ask() : ShiftedAnswers{};
 }
 
 void Judge::deformed(std::span<const Vec3> positions) { step_.deformed = look(positions); }
 
 std::vector<Measured> Judge::values() const {
     const std::vector<Reading> readings = readings_of(settings_.metrics);
-    if (steps_ % settings_.every == 0) return values_of(readings, step_);
+    if (sampled()) return values_of(readings, step_);
     return std::vector<Measured>(readings.size(), Missing::not_sampled);
 }
 

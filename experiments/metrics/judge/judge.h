@@ -34,7 +34,7 @@ std::vector<Reading> readings_of(std::span<const Metric* const> metrics);
 std::vector<Reading> end_readings(std::span<const Metric* const> metrics);
 
 /// Takes the metrics of one case, step by step. It is told where organ and tool are, and nothing of the
-/// strategy but what it counted itself.
+/// strategy but what it counted itself and how it would have answered otherwise.
 class Judge {
   public:
     /// @param start where organ and tool begin. Its organ and tool must outlive the judge.
@@ -45,7 +45,8 @@ class Judge {
     /// @{
     /// To be called in this order in every step: after detection, after handling, after deformation.
     void before(std::span<const Vec3> positions, const Pose& tool);
-    void handled(std::span<const Vec3> positions, std::int64_t fallbacks);
+    /// `ask` is called at once, in sampled steps of which a chosen metric is `of_shifts`, and in no others.
+    void handled(std::span<const Vec3> positions, std::int64_t fallbacks, const AskShifted& ask = {});
     void deformed(std::span<const Vec3> positions);
     /// @}
 
@@ -62,6 +63,7 @@ class Judge {
 
   private:
     [[nodiscard]] JudgedState look(std::span<const Vec3> positions) const;
+    [[nodiscard]] bool sampled() const { return steps_ % settings_.every == 0; }
 
     JudgeSettings settings_;
     Judged step_;
@@ -70,6 +72,9 @@ class Judge {
 
 /// Those of the readings that are there once a step has been handled: before and at H.
 std::vector<Reading> handled_readings(std::span<const Metric* const> metrics);
+
+/// Whether one of the metrics reads Judged::shifted.
+bool need_shifts(std::span<const Metric* const> metrics);
 
 /// The step's value of each of these readings.
 std::vector<Measured> values_of(std::span<const Reading> readings, const Judged& step);

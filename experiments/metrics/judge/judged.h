@@ -7,6 +7,7 @@
 
 #include "experiments/metrics/judge/judged_state.h"
 #include "experiments/metrics/judge/region.h"
+#include "experiments/metrics/judge/shifted_answers.h"
 #include "experiments/metrics/metric.h"
 #include "experiments/metrics/paths/paths.h"
 
@@ -43,6 +44,7 @@ class Judged {
     std::vector<Vec3> step_before;  ///< every vertex as the step before found it, mm; empty in the first step
     std::optional<Paths> paths;     ///< as far as `before`; where a chosen metric asks for them
     std::int64_t fallbacks = 0;     ///< as the strategy counted them
+    ShiftedAnswers shifted;         ///< where a chosen metric asks for them
 
   private:
     const JudgedOrgan& organ_;

@@ -128,6 +128,23 @@ MadeUp renumbered(MadeUp scene, std::uint64_t seed) {
     return scene;
 }
 
+/// What a made-up strategy answers to the step: a collided vertex goes along the normal of the
+/// facet at which its ring begins.
+ShiftedAnswers along_first_facet(const Judged& step) {
+    const Organ& organ = step.organ().organ();
+    ShiftedAnswers answers{.displacements = {}, .missing = Missing::nothing};
+    for (const Index vertex : step.collided()) {
+        const auto ring = organ.adjacency.ring(vertex);
+        if (answers.displacements.size() < ring.size()) answers.displacements.resize(ring.size());
+        for (std::size_t shift = 0; shift < ring.size(); ++shift) {
+            const Facet& facet = organ.rest.facets[ring[shift]];
+            answers.displacements[shift].push_back(
+                {vertex, facet_area_vector(step.at(Moment::before).positions(), facet)});
+        }
+    }
+    return answers;
+}
+
 std::vector<Measured> judged(const MadeUp& scene) {
     const JudgedSteps steps(make_organ("made up", scene.rest), make_tool(scene.tool));
     Judge judge(steps.state(scene.rest.positions, scene.start),
@@ -137,7 +154,7 @@ std::vector<Measured> judged(const MadeUp& scene) {
     std::vector<Measured> values;
     for (std::size_t step = 0; step < scene.poses.size(); ++step) {
         judge.before(scene.found[step], scene.poses[step]);
-        judge.handled(scene.handled[step], 3);
+        judge.handled(scene.handled[step], 3, [&] { return along_first_facet(judge.step()); });
         judge.deformed(scene.deformed[step]);
         for (const Measured& value : judge.values()) values.push_back(value);
     }
