@@ -24,7 +24,8 @@ void check_value(const OptionSpec& spec, const OptionValue& value) {
         if (std::ranges::find(spec.choices, *text) != spec.choices.end()) return;
         if (spec.check_contents != nullptr) {
             try {
-                return spec.check_contents(*text);
+                spec.check_contents(*text);
+                return;
             } catch (const ContentsError& error) {
                 throw OptionError(spec.name, fmt::format("option \"{}\", line {} of its contents: {}",
                                                          spec.name, error.line, error.what()));

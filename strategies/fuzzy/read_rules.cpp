@@ -63,7 +63,7 @@ Proposition proposition_of(const fl::Proposition& proposition, std::span<const s
                            TermsOf terms_of, const Statement& rule, std::string_view part) {
     if (!proposition.hedges.empty()) {
         throw RuleError(rule.line,
-                        fmt::format("the hedge \"{}\" is not understood: write \"VARIABLE is TERM\"",
+                        fmt::format(R"(the hedge "{}" is not understood: write "VARIABLE is TERM")",
                                     proposition.hedges.front()->name()));
     }
     const std::string variable = proposition.variable->getName(), term = proposition.term->getName();
@@ -105,7 +105,7 @@ Rule rule_of(fl::Rule& parsed, fl::Engine& engine, const RuleBase& base, const S
               .weight = parsed.getWeight(),
               .when = {},
               .then = {}};
-    if (!(rule.weight >= 0 && rule.weight <= 1)) {
+    if (!is_weight(rule.weight)) {
         throw RuleError(statement.line, "the weight of a rule, behind \"with\", must be from 0 to 1");
     }
     std::vector<const fl::Proposition*> when;

@@ -65,6 +65,9 @@ struct RuleBase {
     std::vector<Rule> rules;
 };
 
+/// Whether a number can be a weight: from 0 to 1, so not NaN.
+inline bool is_weight(double number) { return number >= 0 && number <= 1; }
+
 /// A weaker rule does not fire: its strength is rounding.
 inline constexpr double weakest_strength = 1e-15;
 

@@ -137,7 +137,7 @@ double default_weight(const Block& block) {
     double weight = -1;
     const char* const end = statement.value.data() + statement.value.size();
     const auto [stopped, error] = std::from_chars(statement.value.data(), end, weight);
-    if (error == std::errc() && stopped == end && weight >= 0 && weight <= 1) return weight;
+    if (error == std::errc() && stopped == end && is_weight(weight)) return weight;
     throw RuleError(statement.line, fmt::format("default: {} must be from 0 to 1: it is the weight of {} "
                                                 "where no rule fires",
                                                 statement.value, block.opening.value));

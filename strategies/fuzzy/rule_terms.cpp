@@ -79,7 +79,7 @@ TermText text_of(const Statement& statement) {
 
 const CurveKind& kind_of(const Statement& statement, const std::string& name) {
     const auto& kinds = curve_kinds();
-    const auto kind = std::ranges::find(kinds, name, &CurveKind::name);
+    const auto* const kind = std::ranges::find(kinds, name, &CurveKind::name);
     if (kind != kinds.end()) return *kind;
     std::vector<std::string> names;
     for (const CurveKind& one : kinds) names.push_back(one.name);
@@ -101,7 +101,7 @@ InputTerm input_term(const Statement& statement) {
         refuse(statement, fmt::format("the numbers of a {} {}", kind.name, kind.condition));
     }
     if (count > kind.numbers) term.membership.height = text.numbers.back();
-    if (!(term.membership.height > 0 && term.membership.height <= 1)) {
+    if (!is_weight(term.membership.height) || term.membership.height == 0) {
         refuse(statement, "its height must be above 0 and at most 1");
     }
     return term;
@@ -112,7 +112,7 @@ OutputTerm output_term(const Statement& statement) {
     if (text.kind != "Constant" || text.numbers.size() != 1) {
         refuse(statement, "a term of a weight is a Constant with one number, such as \"HIGH Constant 1\"");
     }
-    if (!(text.numbers[0] >= 0 && text.numbers[0] <= 1)) refuse(statement, "a weight must be from 0 to 1");
+    if (!is_weight(text.numbers[0])) refuse(statement, "a weight must be from 0 to 1");
     return {.name = text.name, .weight = text.numbers[0]};
 }
 
