@@ -16,8 +16,8 @@ std::string_view build_type();
 std::string_view library_versions();  ///< "CGAL 5.5.2, FCL 0.7.0, …"
 /// @}
 
-/// Hash of the running program's bytes: two results of the same build_id were made by the same program.
-/// Throws InputError when the program cannot read itself.
+/// Hash of the running program's bytes but for those that say which commit it is of: two results of the same
+/// build_id were made by the same code. Throws InputError when the program cannot read itself.
 std::string build_id();
 
 }  // namespace trocar
