@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "results/supervised.h"
+
 namespace trocar {
 namespace {
 
@@ -39,10 +41,15 @@ void check_schema(hid_t file, const std::filesystem::path& path) {
 }
 
 CampaignHeader read_header(hid_t file) {
-    return {.created_utc = hdf5::read_text_attribute(file, "created_utc"),
-            .generator = hdf5::read_text_attribute(file, "generator"),
-            .sweep_toml = hdf5::read_text_attribute(file, "sweep_toml"),
-            .sweep_hash = hdf5::read_text_attribute(file, "sweep_hash")};
+    CampaignHeader header{.created_utc = hdf5::read_text_attribute(file, "created_utc"),
+                          .generator = hdf5::read_text_attribute(file, "generator"),
+                          .sweep_toml = hdf5::read_text_attribute(file, "sweep_toml"),
+                          .sweep_hash = hdf5::read_text_attribute(file, "sweep_hash")};
+    if (H5Aexists(file, "sweep_cases") > 0) {
+        header.sweep_cases = {.count = hdf5::read_number_attribute(file, "sweep_cases"),
+                              .ids_hash = hdf5::read_text_attribute(file, "sweep_case_ids_hash")};
+    }
+    return header;
 }
 
 /// case_id repeats in /states, so the rows' own numbers are what the columns are measured along.
@@ -63,6 +70,7 @@ void write_states(const hdf5::File& file, Table states) {
 }  // namespace
 
 CampaignFile open_campaign(const std::filesystem::path& path) {
+    now_reading(path);
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) {
         throw StoreError(fmt::format("{}: {}; expected a result file", path.string(),
@@ -92,6 +100,10 @@ hdf5::File create_campaign(const std::filesystem::path& path, const CampaignHead
     hdf5::write_attribute(file.id(), "generator", header.generator);
     hdf5::write_attribute(file.id(), "sweep_toml", header.sweep_toml);
     hdf5::write_attribute(file.id(), "sweep_hash", header.sweep_hash);
+    if (header.sweep_cases) {
+        hdf5::write_attribute(file.id(), "sweep_cases", header.sweep_cases->count);
+        hdf5::write_attribute(file.id(), "sweep_case_ids_hash", header.sweep_cases->ids_hash);
+    }
     // Tables show their columns in the order in which they were written.
     for (const auto* name : {cases_group, states_group, provenance_group})
         hdf5::create_group(file.id(), name, true);

@@ -25,7 +25,7 @@ struct CampaignFile {
     CampaignHeader header;
 };
 
-/// Throws StoreError when `path` is anything else.
+/// To be called within `supervised`. Throws StoreError when `path` is anything else.
 CampaignFile open_campaign(const std::filesystem::path& path);
 
 /// A result file without cases. The groups are there and empty.

@@ -12,6 +12,15 @@ std::mutex& library_mutex() {
     return mutex;
 }
 
+/// Of "file write failed: time = …, error message = 'No space left on device', buf = …" what the system said.
+std::string reason_of_system(const std::string& message) {
+    constexpr std::string_view before = "error message = '";
+    const std::size_t found = message.find(before);
+    if (found == std::string::npos) return message;
+    const std::size_t start = found + before.size();
+    return message.substr(start, message.find('\'', start) - start);
+}
+
 /// What the function deepest inside HDF5 said. To be asked first: the next call into HDF5 forgets it.
 std::string innermost_message() {
     std::string message;
@@ -21,7 +30,7 @@ std::string innermost_message() {
     };
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &message);
     std::erase(message, '\n');  // it may hold a date that ends its line
-    return message.empty() ? "HDF5 gives no reason" : message;
+    return message.empty() ? "HDF5 gives no reason" : reason_of_system(message);
 }
 
 /// A name as HDF5's functions give it: they return the length, and fill a buffer when there is one.

@@ -9,6 +9,7 @@
 #include "results/campaign_file.h"
 #include "results/pending_file.h"
 #include "results/store.h"
+#include "results/supervised.h"
 #include "results/table_merger.h"
 
 namespace trocar {
@@ -185,6 +186,7 @@ void copy_groups(const hdf5::File& to, const Part& part, const std::vector<std::
             from = {};
             from = open_campaign(part.file);
         }
+        now_reading(part.file);
         copy_group(from.file.id(), to.id(), fmt::format("{}/{}", series_group, ids[i]));
         const std::string replay = fmt::format("{}/{}", replay_group, ids[i]);
         if (hdf5::exists(from.file.id(), replay)) copy_group(from.file.id(), to.id(), replay);
@@ -196,16 +198,19 @@ void copy_groups(const hdf5::File& to, const Part& part, const std::vector<std::
 void merge(const std::filesystem::path& out, const CampaignHeader& header, std::span<const Part> parts,
            std::span<const std::string> case_order) {
     if (case_order.empty()) throw StoreError(fmt::format("{}: not merged: there are no cases", out.string()));
-    const hdf5::Session session;
-    Collected collected;
-    for (const Part& part : parts) collect_part(part, header, collected);
-    const std::vector<std::size_t> rows = rows_in_order(out, collected, case_order);
-
+    std::vector<std::filesystem::path> files;
+    for (const Part& part : parts) files.push_back(part.file);
     PendingFile pending(out);
-    hdf5::File file = create_campaign(pending.temporary(), header);
-    write_merged_tables(file, collected, rows, case_order);
-    for (std::size_t i = 0; i < parts.size(); ++i) copy_groups(file, parts[i], collected.ids_of_part[i]);
-    finish_campaign(std::move(file), pending.temporary());
+    supervised(files, [&] {
+        Collected collected;
+        for (const Part& part : parts) collect_part(part, header, collected);
+        const std::vector<std::size_t> rows = rows_in_order(out, collected, case_order);
+        hdf5::File file = create_campaign(pending.temporary(), header);
+        write_merged_tables(file, collected, rows, case_order);
+        for (std::size_t i = 0; i < parts.size(); ++i) copy_groups(file, parts[i], collected.ids_of_part[i]);
+        finish_campaign(std::move(file), pending.temporary());
+        return std::string();
+    });
     pending.publish();
 }
 

@@ -42,7 +42,20 @@ PendingFile::PendingFile(std::filesystem::path name) : name_(std::move(name)), t
 
 PendingFile::~PendingFile() {
     std::error_code ignored;  // there may be nothing to remove
+    // A file that HDF5 could not close keeps its place on a full disk after it is removed, unless it is
+    // empty.
+    std::filesystem::resize_file(temporary_, 0, ignored);
     std::filesystem::remove(temporary_, ignored);
+}
+
+void remove_abandoned(const std::filesystem::path& name) {
+    const std::string abandoned = fmt::format("{}.tmp.{}.", name.filename().string(), host_name());
+    const auto folder = name.has_parent_path() ? name.parent_path() : std::filesystem::path(".");
+    std::error_code ignored;  // nothing depends on it
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        if (entry.path().filename().string().starts_with(abandoned))
+            std::filesystem::remove(entry.path(), ignored);
+    }
 }
 
 void PendingFile::publish() {

@@ -26,4 +26,8 @@ class PendingFile {
     std::filesystem::path temporary_;
 };
 
+/// Removes temporary files of `name` that killed processes of this machine left. To be called only by who is
+/// alone in writing `name`.
+void remove_abandoned(const std::filesystem::path& name);
+
 }  // namespace trocar

@@ -74,12 +74,20 @@ struct CaseRecord {
     std::vector<Cell> provenance;  ///< one row of /provenance
 };
 
+/// All cases of a sweep, in short.
+struct CaseList {
+    std::int64_t count;
+    std::string ids_hash;  ///< of the ids in the sweep's order
+    bool operator==(const CaseList&) const = default;
+};
+
 /// What identifies a campaign: attributes of the file's root.
 struct CampaignHeader {
     std::string created_utc;  ///< ISO 8601
     std::string generator;    ///< program and version
     std::string sweep_toml;   ///< the sweep file's text
     std::string sweep_hash;
+    std::optional<CaseList> sweep_cases = std::nullopt;  ///< files of earlier programs do not say
 };
 
 }  // namespace trocar

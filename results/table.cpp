@@ -9,8 +9,10 @@
 namespace trocar {
 namespace {
 
-/// More rows than any campaign has: a damaged file may claim any number.
+// A damaged file may claim any number of rows: more than any campaign has, more than the bytes stored for
+// them can hold.
 constexpr hsize_t max_rows = 10'000'000;
+constexpr hsize_t max_compression = 1032;  // of deflate
 
 template <class Number>
 std::vector<Number> read_numbers(hid_t dataset, std::size_t count) {
@@ -77,11 +79,16 @@ Column read_column(hid_t group, const std::string& name) {
     if (shape.size() != 1 || shape[0] > max_rows) {
         hdf5::refuse(group, name, fmt::format("expected one dimension of at most {} rows", max_rows));
     }
+    const hdf5::Type type(hdf5::checked(H5Dget_type(dataset.id()), group, name, "cannot read"));
+    const hsize_t stored = H5Dget_storage_size(dataset.id());
+    if (shape[0] * H5Tget_size(type.id()) / max_compression > stored) {
+        hdf5::refuse(group, name,
+                     fmt::format("claims {} rows, but only {} bytes are stored", shape[0], stored));
+    }
     Column column{.label = {.name = name,
                             .units = hdf5::read_text_attribute(dataset.id(), "units"),
                             .long_name = hdf5::read_text_attribute(dataset.id(), "long_name")},
                   .values = {}};
-    const hdf5::Type type(hdf5::checked(H5Dget_type(dataset.id()), group, name, "cannot read"));
     const H5T_class_t kind = H5Tget_class(type.id());
     if (kind == H5T_STRING && H5Tis_variable_str(type.id()) > 0) {
         column.values = hdf5::read_texts(dataset.id(), shape[0]);

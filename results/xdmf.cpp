@@ -6,6 +6,7 @@
 
 #include "results/campaign_file.h"
 #include "results/pending_file.h"
+#include "results/supervised.h"
 
 namespace trocar {
 namespace {
@@ -141,18 +142,22 @@ void write_domain(std::ostream& out, hid_t file, const std::string& file_name) {
 }  // namespace
 
 void write_xdmf(const std::filesystem::path& campaign, const std::filesystem::path& out_xdmf) {
-    const hdf5::Session session;
-    const CampaignFile from = open_campaign(campaign);
-    if (hdf5::member_names(hdf5::open_group(from.file.id(), replay_group).id()).empty())
-        throw StoreError(fmt::format("{}: holds no replay, so there is nothing to show", campaign.string()));
-
     PendingFile pending(out_xdmf);
-    std::ofstream out(pending.temporary());
-    out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
-    write_domain(out, from.file.id(), std::filesystem::proximate(campaign, out_xdmf.parent_path()).string());
-    out << "</Domain>\n</Xdmf>\n";
-    out.close();
-    if (!out) throw StoreError(fmt::format("{}: cannot be written", out_xdmf.string()));
+    supervised({&campaign, 1}, [&] {
+        const CampaignFile from = open_campaign(campaign);
+        if (hdf5::member_names(hdf5::open_group(from.file.id(), replay_group).id()).empty()) {
+            throw StoreError(
+                fmt::format("{}: holds no replay, so there is nothing to show", campaign.string()));
+        }
+        std::ofstream out(pending.temporary());
+        out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
+        write_domain(out, from.file.id(),
+                     std::filesystem::proximate(campaign, out_xdmf.parent_path()).string());
+        out << "</Domain>\n</Xdmf>\n";
+        out.close();
+        if (!out) throw StoreError(fmt::format("{}: cannot be written", out_xdmf.string()));
+        return std::string();
+    });
     pending.publish();
 }
 
