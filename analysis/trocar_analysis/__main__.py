@@ -128,6 +128,9 @@ def main() -> int:
             raise
         print(f"trocar: the analysis needs the Debian package {package}; install it", file=sys.stderr)
         return 2
+    except MemoryError:
+        print("trocar: the memory does not suffice, or the file is damaged", file=sys.stderr)
+        return 2
     except BrokenPipeError:
         # The reader (such as `head`) has seen enough; keep Python from complaining when it closes stdout.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

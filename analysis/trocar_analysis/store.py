@@ -22,7 +22,7 @@ INPUTS = (
     "case_id", "build_id", "strategy", "options", "label", "organ", "organ_facets", "tool", "scene",
     "speed", "rate", "release", "fractions", "seed", "metrics", "judged_rate", "same_state",
 )  # fmt: skip
-OUTCOME = ("status", "reason", "attempts", "wall_s", "window_steps", "missing", "provenance_row")
+OUTCOME = ("status", "reason", "attempts", "wall_s", "window_steps", "missing", "sweep_number", "provenance_row")
 
 # Columns that /cases has of a run and /states, or its reader, of the strategy that answered: those of the run
 # are called run_… beside the answer's.
@@ -32,6 +32,8 @@ RUN_OWN = ("strategy", "options", "label", "status")
 CONDITIONS = ("scene", "organ", "tool", "speed", "rate", "release", "fractions", "seed")
 
 MOMENTS = ("found", "handled", "deformed")
+
+MAX_COMPRESSION = 1032  # of deflate: bytes for each one stored
 
 MOST_LISTED = 20  # cases in a message
 
@@ -223,7 +225,9 @@ def siblings(cases: pd.DataFrame, case: pd.Series) -> pd.DataFrame:
 
 
 def read_column(dataset: h5py.Dataset) -> np.ndarray:
-    """The values of a column, text as str."""
+    """The values of a column, text as str. ValueError when it claims more rows than the bytes stored for it can hold."""
+    if dataset.size * dataset.dtype.itemsize > MAX_COMPRESSION * (dataset.id.get_storage_size() + 1):
+        raise ValueError(f"{dataset.name} claims {dataset.size} rows")
     if h5py.check_string_dtype(dataset.dtype) is None:
         return dataset[...]
     return np.array([text(value) for value in dataset[...]], dtype=object)

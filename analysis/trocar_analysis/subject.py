@@ -72,7 +72,7 @@ CASES = Subject(
         "flipped_facets_mean", "fallbacks_mean", "time_handle_p50", "time_cycle_p50",
     ),
     keys=(*INPUTS, *OUTCOME),
-    no_figures=(*INPUTS, "provenance_row"),
+    no_figures=(*INPUTS, "sweep_number", "provenance_row"),
     name_of=name_in_cases,
     count=count_cases,
 )  # fmt: skip

@@ -1,12 +1,16 @@
 #include "experiments/cli/analysis_program.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,13 +41,26 @@ fs::path find_analysis() {
                     installed.string(), program.string()));
 }
 
-int wait_for(pid_t child) {
+/// Whether a process ends with this signal by what it does itself, not by what others want.
+bool is_crash(int signal) {
+    constexpr std::array crashes{SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
+    return std::ranges::find(crashes, signal) != crashes.end();
+}
+
+int wait_for(pid_t child, const std::vector<std::string>& arguments) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0) {
         if (errno != EINTR)
             throw std::system_error(errno, std::generic_category(), "waiting for the analysis");
     }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (WIFEXITED(status)) return WEXITSTATUS(status);
+    const int signal = WTERMSIG(status);
+    if (!is_crash(signal)) return 128 + signal;
+    const auto marker = std::ranges::find(arguments, "--");
+    throw InputError(
+        fmt::format("{}: is damaged: reading it ended with signal {} ({}); run its sweep again",
+                    fmt::join(marker == arguments.end() ? marker : marker + 1, arguments.end(), ", "), signal,
+                    strsignal(signal)));
 }
 
 }  // namespace
@@ -67,7 +84,7 @@ int run_analysis(const std::vector<std::string>& arguments) {
         throw InputError(fmt::format("cannot start {} ({}): the analysis needs the package python3", python,
                                      std::generic_category().message(error)));
     }
-    return wait_for(child);
+    return wait_for(child, arguments);
 }
 
 }  // namespace trocar

@@ -27,6 +27,7 @@ struct Program {
 /// Adds one subcommand, which runs while `app` parses. Throws InputError and StoreError. `program`
 /// must outlive the parsing.
 void add_run(CLI::App& app, Program& program);
+void add_merge(CLI::App& app, Program& program);
 void add_list(CLI::App& app, Program& program);
 void add_show(CLI::App& app, Program& program);
 void add_snapshot(CLI::App& app, Program& program);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct CaseOptions {
     std::vector<const Metric*> metrics = choose_metrics("all");
     int same_state = 0;                     ///< states of the case to hand to other strategies
     std::vector<StrategyChoice> answering;  ///< … which are these
+    std::int64_t earlier_attempts = 0;      ///< how often earlier runs are known to have started the case
 };
 
 /// The names of the metrics, with commas between them.

@@ -14,7 +14,16 @@ void add_cases(DoneCases& done, const std::filesystem::path& file, const Content
                              .build_id = one.build_id,
                              .status = one.status,
                              .has_replay = one.has_replay,
-                             .metrics = one.metrics};
+                             .metrics = one.metrics,
+                             .attempts = one.attempts};
+    }
+}
+
+std::vector<Contents> read_parts(const std::vector<std::filesystem::path>& files) {
+    try {
+        return read_contents(files);
+    } catch (const StoreError& error) {
+        throw InputError(fmt::format("{}\nremove this file, and its case is run again", error.what()));
     }
 }
 
@@ -34,6 +43,30 @@ Contents read_out(const std::filesystem::path& out) {
 
 std::filesystem::path parts_folder_of(const std::filesystem::path& out) { return out.string() + ".parts"; }
 
+std::filesystem::path fresh_parts_folder_of(const std::filesystem::path& out) {
+    return out.string() + ".fresh.parts";
+}
+
+DoneCases find_parts(const std::filesystem::path& folder, const std::string& sweep_hash) {
+    DoneCases done;
+    std::vector<std::filesystem::path> files;
+    std::error_code none;  // no folder, no parts
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+        if (entry.path().extension() == ".h5") files.push_back(entry.path());
+    }
+    const std::vector<Contents> parts = read_parts(files);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].header.sweep_hash != sweep_hash) {
+            throw InputError(
+                fmt::format("{}: holds cases of another sweep whose run was cut off; finish that "
+                            "run, or remove this folder",
+                            folder.string()));
+        }
+        add_cases(done, files[i], parts[i]);
+    }
+    return done;
+}
+
 DoneCases find_done_cases(const std::filesystem::path& out, const std::string& sweep_hash) {
     DoneCases done;
     if (std::filesystem::exists(out)) {
@@ -44,19 +77,7 @@ DoneCases find_done_cases(const std::filesystem::path& out, const std::string& s
         }
         add_cases(done, out, contents);
     }
-    const std::filesystem::path parts = parts_folder_of(out);
-    if (!std::filesystem::is_directory(parts)) return done;
-    for (const auto& entry : std::filesystem::directory_iterator(parts)) {
-        if (entry.path().extension() != ".h5") continue;
-        const Contents contents = read_contents(entry.path());
-        if (contents.header.sweep_hash != sweep_hash) {
-            throw InputError(
-                fmt::format("{}: holds cases of another sweep whose run was cut off; finish that "
-                            "run, or remove this folder",
-                            parts.string()));
-        }
-        add_cases(done, entry.path(), contents);
-    }
+    for (auto& [id, one] : find_parts(parts_folder_of(out), sweep_hash)) done[id] = std::move(one);
     return done;
 }
 

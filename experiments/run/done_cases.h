@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -13,6 +14,7 @@ struct DoneCase {
     std::string status;
     bool has_replay = false;
     std::string metrics;  ///< those that were taken, as metric_names has them
+    std::int64_t attempts = 0;
 };
 
 /// Finished cases by their case_id.
@@ -20,6 +22,14 @@ using DoneCases = std::map<std::string, DoneCase>;
 
 /// The folder beside `out` in which cases lie one by one until they are merged: "<out>.parts".
 std::filesystem::path parts_folder_of(const std::filesystem::path& out);
+
+/// Where the cases of a run with --fresh lie until the new result file is whole: "<out>.fresh.parts". Other
+/// runs leave it alone.
+std::filesystem::path fresh_parts_folder_of(const std::filesystem::path& out);
+
+/// The cases of this sweep that lie in a parts folder, which need not exist. Throws InputError when one
+/// cannot be read or is of another sweep.
+DoneCases find_parts(const std::filesystem::path& folder, const std::string& sweep_hash);
 
 /// What an earlier run of the same sweep left in `out` and in its parts folder; a part replaces the same case
 /// of `out`. Changes nothing. Throws InputError when `out` exists and is no result file, and when `out` or a

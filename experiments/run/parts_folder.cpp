@@ -10,6 +10,7 @@
 
 #include "experiments/input_error.h"
 #include "experiments/run/done_cases.h"
+#include "results/pending_file.h"
 
 namespace trocar {
 namespace {
@@ -21,8 +22,9 @@ namespace {
 
 }  // namespace
 
-PartsFolder::PartsFolder(const std::filesystem::path& out)
-    : folder_(parts_folder_of(std::filesystem::absolute(out))) {
+PartsFolder::PartsFolder(const std::filesystem::path& out, PartsOf run)
+    : folder_(parts_folder_of(std::filesystem::absolute(out))),
+      own_(run == PartsOf::fresh_run ? fresh_parts_folder_of(std::filesystem::absolute(out)) : folder_) {
     std::error_code error;
     std::filesystem::create_directory(folder_, error);
     if (error) refuse(out, error);
@@ -37,16 +39,27 @@ PartsFolder::PartsFolder(const std::filesystem::path& out)
         throw InputError(
             fmt::format("{}: another run is writing it; wait for that run to end", out.string()));
     }
+    std::filesystem::create_directory(own_, error);
+    if (error) {
+        close(lock_);
+        refuse(out, error);
+    }
+    remove_abandoned(out);
 }
 
 PartsFolder::~PartsFolder() {
     std::error_code not_empty;
+    std::filesystem::remove(own_, not_empty);
     std::filesystem::remove(folder_, not_empty);
     close(lock_);
 }
 
 void PartsFolder::clear() const {
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) std::filesystem::remove_all(entry);
+    std::error_code gone;  // what is left is found to be done by the next run
+    for (const auto& folder : {folder_, own_}) {
+        for (const auto& entry : std::filesystem::directory_iterator(folder, gone))
+            std::filesystem::remove_all(entry, gone);
+    }
 }
 
 }  // namespace trocar

@@ -140,14 +140,15 @@ std::vector<Cell> identifying_cells(const CaseInputs& inputs) {
         {"release", "", "when a handled vertex is free again", release_name(inputs.cycle.release)},
         {"fractions", "1", "parts that each motion is cut into", std::int64_t{1}},
         {"seed", "1", "seed of the scene's placement", whole(inputs.seed)},
+        {"sweep_number", "1", "number of the case in the sweep's list, from 1", inputs.sweep_number},
     };
 }
 
-std::vector<Cell> outcome_cells(const Outcome& outcome, double wall_s) {
+std::vector<Cell> outcome_cells(const Outcome& outcome, const CaseOptions& options, double wall_s) {
     return {
         {"status", "", "how the case ended", std::string(status_name(outcome.status))},
         {"reason", "", "why, where it did not complete", outcome.reason},
-        {"attempts", "1", "how often the case was started", std::int64_t{1}},
+        {"attempts", "1", "how often the case was started", options.earlier_attempts + 1},
         {"wall_s", "s", "wall clock of the whole case, judging included", wall_s},
     };
 }
@@ -224,7 +225,7 @@ std::optional<CaseRecord> run_case(const CaseInputs& inputs, const SceneSource& 
     CaseRecord record;
     record.case_id = inputs.case_id;
     record.cells = identifying_cells(inputs);
-    std::ranges::move(outcome_cells(outcome, wall.count()), std::back_inserter(record.cells));
+    std::ranges::move(outcome_cells(outcome, options, wall.count()), std::back_inserter(record.cells));
     std::ranges::move(judging_cells(inputs, options, gathered), std::back_inserter(record.cells));
     std::ranges::move(figure_cells(options, gathered, outcome.status), std::back_inserter(record.cells));
     add_steps(record, std::move(gathered), inputs.cycle.dt());

@@ -33,16 +33,23 @@ const DoneCase* left_of(const CaseInputs& inputs, const DoneCases& done, const R
     return found != done.end() && found->second.build_id == request.build_id ? &found->second : nullptr;
 }
 
-bool is_done(const DoneCases& done, const CaseInputs& inputs, const RunRequest& request) {
+bool has_result(const DoneCases& done, const CaseInputs& inputs, const RunRequest& request) {
     const DoneCase* left = left_of(inputs, done, request);
     return left != nullptr && (left->has_replay || !request.options.replay) &&
            std::ranges::all_of(request.options.metrics,
                                [&](const Metric* metric) { return was_taken(metric, left->metrics); });
 }
 
+bool is_done(const DoneCases& done, const CaseInputs& inputs, const RunRequest& request) {
+    return has_result(done, inputs, request) &&
+           (!request.retry_failed || done.at(inputs.case_id).status == status_name(CaseStatus::complete));
+}
+
 /// What is asked of the case, and what an earlier run already has of it: running it again takes nothing away.
 CaseOptions options_of(const CaseInputs& inputs, const DoneCases& done, const RunRequest& request) {
     CaseOptions options = request.options;
+    const auto earlier = done.find(inputs.case_id);
+    if (earlier != done.end()) options.earlier_attempts = earlier->second.attempts;
     const DoneCase* left = left_of(inputs, done, request);
     if (left == nullptr) return options;
     options.replay = options.replay || left->has_replay;
@@ -119,17 +126,25 @@ std::filesystem::path write_xdmf_beside(const RunRequest& request, const DoneCas
     return xdmf;
 }
 
+/// What earlier runs left that this one need not do.
+DoneCases find_kept_cases(const RunRequest& request) {
+    const std::string& sweep = request.header.sweep_hash;
+    return request.fresh ? find_parts(fresh_parts_folder_of(request.out), sweep)
+                         : find_done_cases(request.out, sweep);
+}
+
 }  // namespace
 
 std::vector<CaseInputs> pending_cases(const RunRequest& request) {
-    return pending_of(request, find_done_cases(request.out, request.header.sweep_hash));
+    return pending_of(request, find_kept_cases(request));
 }
 
 RunOutcome run_sweep(const RunRequest& request,
                      const std::function<void(std::size_t, std::size_t)>& on_progress,
                      const std::stop_token& stop) {
-    const PartsFolder parts(request.out);
-    DoneCases done = find_done_cases(request.out, request.header.sweep_hash);
+    const PartsFolder parts(request.out, request.fresh ? PartsOf::fresh_run : PartsOf::any_run);
+    const DoneCases before = find_done_cases(request.out, request.header.sweep_hash);
+    DoneCases done = request.fresh ? find_kept_cases(request) : before;
     const std::vector<CaseInputs> pending = by_scene(pending_of(request, done));
     RunOutcome outcome;
     outcome.kept = request.cases.size() - pending.size();
@@ -160,13 +175,16 @@ RunOutcome run_sweep(const RunRequest& request,
             on_progress(++outcome.ran, pending.size());
         });
     outcome.interrupted = outcome.ran < pending.size();
+    std::ranges::sort(outcome.failures);
+    for (const CaseInputs& inputs : request.cases) {
+        if (has_result(done, inputs, request)) ++outcome.by_status[done.at(inputs.case_id).status];
+    }
+    outcome.merged = !(request.fresh && outcome.interrupted);
+    if (!outcome.merged) return outcome;
+    done.insert(before.begin(), before.end());  // cases that a fresh run was not asked for
     merge_done(request, done);
     parts.clear();
     outcome.xdmf = write_xdmf_beside(request, done);
-    std::ranges::sort(outcome.failures);
-    for (const CaseInputs& inputs : request.cases) {
-        if (is_done(done, inputs, request)) ++outcome.by_status[done.at(inputs.case_id).status];
-    }
     return outcome;
 }
 

@@ -21,7 +21,11 @@ struct RunRequest {
     std::vector<CaseInputs> cases;        ///< those of them that are asked for
     unsigned jobs = 1;                    ///< cases that run at once
     CaseOptions options;
-    std::string build_id;                ///< results of another build are run again
+    std::string build_id;       ///< results of another build are run again
+    bool retry_failed = false;  ///< and those that are not complete
+    /// Everything is run again. The result file stays as it is until every case is done; until then they lie
+    /// in a folder of their own, where the next fresh run goes on.
+    bool fresh = false;
     std::vector<std::string> arguments;  ///< the command line, for the provenance
 };
 
@@ -32,6 +36,7 @@ struct RunOutcome {
     std::size_t kept = 0;               ///< cases that an earlier run had finished
     std::size_t ran = 0;                ///< cases finished now
     bool interrupted = false;           ///< `stop` was requested; unfinished cases are in no file
+    bool merged = true;                 ///< false after a fresh run that was interrupted
     std::filesystem::path xdmf;         ///< opens the replays in ParaView; empty where there are none
 };
 

@@ -87,7 +87,9 @@ std::vector<CaseInputs> list_cases(const Sweep& sweep) {
                                                            .speed = speed,
                                                            .seed = seed,
                                                            .cycle = sweep.cycle,
-                                                           .springs = sweep.springs});
+                                                           .springs = sweep.springs,
+                                                           .sweep_number = {}});
+        inputs.sweep_number = static_cast<std::int64_t>(cases.size());
         inputs.cycle.release = release;
         inputs.case_id = case_id_of(inputs);
         inputs.scene_id = hash_of(scene_json(inputs).dump());

@@ -21,6 +21,7 @@ struct CaseInputs {
     std::uint64_t seed;
     CycleSettings cycle;
     SpringSettings springs;
+    std::int64_t sweep_number;  ///< place in list_cases, from 1; no part of what the case does
 };
 
 /// Every case of the sweep, in the order of its lists: the seed changes fastest, then speed, scene, tool,

@@ -191,7 +191,7 @@ TEST_F(RunSweep, AnOutputThatCannotBeWrittenIsRefusedBeforeAnythingRuns) {
 }
 
 TEST_F(RunSweep, TwoRunsOfOneOutputDoNotMix) {
-    const PartsFolder other_run(out_);
+    const PartsFolder other_run(out_, PartsOf::any_run);
     EXPECT_THROW(run_sweep(request(), silent, {}), InputError);
 }
 
