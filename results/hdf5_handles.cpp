@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "results/store.h"
+#include "results/supervised.h"
 
 namespace trocar::hdf5 {
 namespace {
@@ -72,12 +73,16 @@ Session::Session() : lock_(library_mutex()) {
 Session::~Session() { H5Eset_auto2(H5E_DEFAULT, printer_, printer_data_); }
 
 void fail(const std::filesystem::path& file, std::string_view action) {
-    throw StoreError(fmt::format("{}: {}: {}", file.string(), action, innermost_message()));
+    const std::string message = fmt::format("{}: {}: {}", file.string(), action, innermost_message());
+    end_with_error(message);
+    throw StoreError(message);
 }
 
 void fail(hid_t near, std::string_view object, std::string_view action) {
     const std::string reason = innermost_message();
-    throw StoreError(fmt::format("{}: {}: {}", place_of(near, object), action, reason));
+    const std::string message = fmt::format("{}: {}: {}", place_of(near, object), action, reason);
+    end_with_error(message);
+    throw StoreError(message);
 }
 
 void refuse(hid_t near, std::string_view object, std::string_view reason) {

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -193,15 +195,32 @@ void copy_groups(const hdf5::File& to, const Part& part, const std::vector<std::
     }
 }
 
+/// As much as one write to a file may take, bytes.
+constexpr std::uintmax_t largest_write = 1U << 20U;
+
+/// libhdf5 1.10.8 crashes, too, where it copies to a disk that is full: then no part is to blame.
+void supervised_on_disk(const std::filesystem::path& written, std::span<const Part> parts,
+                        const std::function<std::string()>& action) {
+    std::vector<std::filesystem::path> files;
+    for (const Part& part : parts) files.push_back(part.file);
+    try {
+        supervised(files, action);
+    } catch (const DamagedFile&) {
+        std::error_code error;
+        const std::filesystem::space_info disk = std::filesystem::space(written, error);
+        if (error || disk.available > largest_write) throw;
+        throw StoreError(fmt::format("{}: cannot be written: {}", written.string(),
+                                     std::make_error_code(std::errc::no_space_on_device).message()));
+    }
+}
+
 }  // namespace
 
 void merge(const std::filesystem::path& out, const CampaignHeader& header, std::span<const Part> parts,
            std::span<const std::string> case_order) {
     if (case_order.empty()) throw StoreError(fmt::format("{}: not merged: there are no cases", out.string()));
-    std::vector<std::filesystem::path> files;
-    for (const Part& part : parts) files.push_back(part.file);
     PendingFile pending(out);
-    supervised(files, [&] {
+    supervised_on_disk(pending.temporary(), parts, [&] {
         Collected collected;
         for (const Part& part : parts) collect_part(part, header, collected);
         const std::vector<std::size_t> rows = rows_in_order(out, collected, case_order);

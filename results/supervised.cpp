@@ -21,7 +21,6 @@
 #include <unistd.h>
 
 #include "results/hdf5_handles.h"
-#include "results/store.h"
 
 namespace trocar {
 namespace {
@@ -145,7 +144,7 @@ class Child {
 };
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::string_view reason) {
-    throw StoreError(fmt::format("{}: is damaged: {}", file.string(), reason));
+    throw DamagedFile(fmt::format("{}: is damaged: {}", file.string(), reason));
 }
 
 /// What was received so far, cut into messages.
@@ -251,6 +250,12 @@ std::string supervised(std::span<const std::filesystem::path> files,
 
 void now_reading(const std::filesystem::path& file) {
     if (child_pipe() >= 0) send(Kind::reading, file.string());
+}
+
+void end_with_error(const std::string& message) {
+    if (child_pipe() < 0) return;
+    send(Kind::refused, message);
+    _exit(EXIT_SUCCESS);
 }
 
 std::string joined_texts(std::span<const std::string> texts) {
