@@ -22,7 +22,9 @@ INPUTS = (
     "case_id", "build_id", "strategy", "options", "label", "organ", "organ_facets", "tool", "scene",
     "speed", "rate", "release", "fractions", "seed", "metrics", "judged_rate", "same_state",
 )  # fmt: skip
-OUTCOME = ("status", "reason", "attempts", "wall_s", "window_steps", "missing", "sweep_number", "provenance_row")
+OUTCOME = (
+    "status", "reason", "attempts", "wall_s", "window_steps", "missing", "sweep_number", "provenance_row",
+)  # fmt: skip
 
 # Columns that /cases has of a run and /states, or its reader, of the strategy that answered: those of the run
 # are called run_… beside the answer's.

@@ -84,7 +84,7 @@ class CommandLine(ProgramTest):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["list"], ["show"], ["snapshot"], ["check"], ["fuzzy"],
+        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["snapshot"], ["check"], ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
             text = self.expect_done(*command, "--help").stdout
             self.assertIn("Example:", text)

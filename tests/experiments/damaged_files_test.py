@@ -67,13 +67,13 @@ class DamagedFiles(ProgramTest):
             out.unlink(missing_ok=True)
             return self.run_program("merge", self.bad, "-o", out)
 
-        self.try_mutations(150, 1, merge, (0, 2, 3))
+        self.try_mutations(100, 1, merge, (0, 2, 3))
 
     def test_run(self):
-        self.try_mutations(40, 2, lambda: self.run_program("run", self.sweep, "-o", self.bad), (0, 2, 3))
+        self.try_mutations(30, 2, lambda: self.run_program("run", self.sweep, "-o", self.bad), (0, 2, 3))
 
     def test_show(self):
-        self.try_mutations(12, 3, lambda: self.run_program("show", self.bad), (0, 2))
+        self.try_mutations(8, 3, lambda: self.run_program("show", self.bad), (0, 2))
 
     def test_an_analysis_that_crashes_names_the_file(self):
         # A package that ends the process, in the place of one that the analysis uses.
