@@ -6,7 +6,6 @@
 import os
 import re
 import stat
-import unittest
 
 from program_test import ProgramTest, run_tests
 

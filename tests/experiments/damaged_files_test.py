@@ -8,7 +8,6 @@ import random
 import resource
 import shutil
 import subprocess
-import unittest
 
 from program_test import ProgramTest, run_tests
 
