@@ -170,7 +170,8 @@ class PendingRun {
             const CaseInputs& inputs = pending_[task];
             const std::string start = now_utc();
             const auto strategy = request_.make(inputs.strategy);
-            report(store(task, *run_case(inputs, scene_of, *strategy, options_[task], {}), start));
+            const std::uint64_t attempt = task == batch.begin ? batch.attempt : 1;
+            report(store(task, *run_case(inputs, scene_of, *strategy, options_[task], {}), attempt, start));
         }
     }
 
@@ -178,11 +179,13 @@ class PendingRun {
         return store(lost.task,
                      lost_case(pending_[lost.task], options_[lost.task], status_of(lost.loss), lost.reason,
                                lost.seconds),
-                     now_utc());
+                     lost.attempt, now_utc());
     }
 
     /// Writes the record as a part, and says what the supervisor must know of it.
-    std::string store(std::uint64_t task, CaseRecord record, const std::string& start) const {
+    std::string store(std::uint64_t task, CaseRecord record, std::uint64_t attempt,
+                      const std::string& start) const {
+        std::ranges::find(record.cells, "attempts", &Cell::name)->value = static_cast<std::int64_t>(attempt);
         store_case(record, request_, part_of(task), start);
         const std::string status = text_cell(record, "status");
         const bool complete = status == status_name(CaseStatus::complete);

@@ -77,13 +77,18 @@ class Supervisor {
     void look_after(Post& post) {
         for (const WorkerMessage& message : post.worker->messages()) {
             if (message.is_error) throw WorkerError(message.text);
-            const std::uint64_t task = post.batch.begin++;
-            post.since = Clock::now();
+            const std::uint64_t task = post.batch.begin;
+            next_task(post);
             listener_.done(task, message.text);
         }
         if (post.batch.empty()) return;
         if (post.worker->closed()) {
-            lose(post, Loss::crashed, fmt::format("its process ended with {}", post.worker->end()));
+            const Ending ending = post.worker->end();
+            if (ending.killed && post.batch.attempt < most_attempts) {
+                try_again(post);
+            } else {
+                lose(post, Loss::crashed, fmt::format("its process ended with {}", ending.text));
+            }
         } else if (post.seconds() > limits_.seconds) {
             lose(post, Loss::timed_out, fmt::format("it took longer than {} s", limits_.seconds));
         } else if (takes_too_much(post)) {
@@ -99,13 +104,33 @@ class Supervisor {
         return now > post.bytes_at_start + limits_.bytes;
     }
 
-    /// Gives up the task that the post is at. The rest of its batch is the next to be done.
-    void lose(Post& post, Loss loss, const std::string& reason) {
-        const LostTask lost{
-            .task = post.batch.begin++, .loss = loss, .reason = reason, .seconds = post.seconds()};
+    static void next_task(Post& post) {
+        ++post.batch.begin;
+        post.batch.attempt = 1;
+        post.since = Clock::now();
+    }
+
+    /// What is left of the batch is the next to be done, by a new worker.
+    void put_back(Post& post) {
         post.worker.reset();
         if (!post.batch.empty()) batches_.push_front(post.batch);
         post.batch = {};
+    }
+
+    void try_again(Post& post) {
+        ++post.batch.attempt;
+        put_back(post);
+    }
+
+    /// Gives up the task that the post is at.
+    void lose(Post& post, Loss loss, const std::string& reason) {
+        const LostTask lost{.task = post.batch.begin,
+                            .attempt = post.batch.attempt,
+                            .loss = loss,
+                            .reason = reason,
+                            .seconds = post.seconds()};
+        next_task(post);
+        put_back(post);
         listener_.lost(lost);
     }
 

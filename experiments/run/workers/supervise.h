@@ -24,9 +24,14 @@ enum class Loss {
     out_of_memory,  ///< it took more memory than the limit
 };
 
+/// A task whose process is killed from outside (by a person, or by a system short of memory) is started this
+/// often before it counts as lost.
+inline constexpr std::uint64_t most_attempts = 3;
+
 /// A task that was lost.
 struct LostTask {
     std::uint64_t task;
+    std::uint64_t attempt;  ///< how often it was started
     Loss loss;
     std::string reason;  ///< such as "its process ended with signal 11 (Segmentation fault)"
     double seconds;      ///< that it ran

@@ -133,16 +133,17 @@ std::vector<WorkerMessage> Worker::messages() {
     return whole;
 }
 
-std::string Worker::end() {
+Ending Worker::end() {
     if (process_ < 0) return {};
     int status = 0;
     kill(process_, SIGKILL);  // changes nothing for one that is at its end already
     while (waitpid(process_, &status, 0) < 0 && errno == EINTR) continue;
     process_ = -1;
     if (WIFSIGNALED(status)) {
-        return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+        return {.text = fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))),
+                .killed = WTERMSIG(status) == SIGKILL};
     }
-    return fmt::format("exit code {}", WEXITSTATUS(status));
+    return {.text = fmt::format("exit code {}", WEXITSTATUS(status))};
 }
 
 }  // namespace trocar

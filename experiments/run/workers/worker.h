@@ -13,18 +13,25 @@ namespace trocar {
 /// Tasks, by their numbers, that a worker does one after the other.
 struct Batch {
     std::uint64_t begin = 0, end = 0;
+    std::uint64_t attempt = 1;  ///< how often its first task has been started, this time included
     [[nodiscard]] bool empty() const { return begin == end; }
 };
 
 /// Reports that a task is done, with a text for the supervisor.
 using ReportDone = std::function<void(const std::string&)>;
 
+/// How a process came to its end.
+struct Ending {
+    std::string text;     ///< "signal 11 (Segmentation fault)", or "exit code 1"
+    bool killed = false;  ///< by signal 9, which no process sends itself by accident
+};
+
 /// Does the tasks of a batch in their order, and reports after each.
 using DoBatch = std::function<void(const Batch&, const ReportDone&)>;
 
 /// What a worker has to say.
 struct WorkerMessage {
-    bool is_error = false;  ///< it could not go on, and ended
+    bool is_error = false;  ///< it could not go on, and ends
     std::string text;       ///< of a task, or why
 };
 
@@ -51,9 +58,8 @@ class Worker {
 
     /// Whether, as far as messages() has seen, it is at its end.
     [[nodiscard]] bool closed() const { return closed_; }
-    /// Kills it if it is still there, waits for its end and says how it ended: "signal 11 (Segmentation
-    /// fault)", or "exit code 1".
-    std::string end();
+    /// Kills it if it is still there, waits for its end and says how it ended.
+    Ending end();
 
   private:
     pid_t process_ = -1;
