@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -19,6 +20,7 @@
 #include "experiments/run/progress.h"
 #include "experiments/run/provenance.h"
 #include "experiments/run/run_sweep.h"
+#include "experiments/run/workers/memory_use.h"
 #include "experiments/sweep/hash.h"
 
 namespace trocar {
@@ -40,6 +42,9 @@ struct RunOptions {
     std::vector<std::string> filters;
     bool dry_run = false;
     bool replay = false;
+    bool timing = false;
+    double case_seconds = TaskLimits{}.seconds;
+    std::optional<double> case_gigabytes;
     std::string metrics = "all";
 };
 
@@ -78,6 +83,11 @@ RunRequest make_request(const RunOptions& options, const Sweep& sweep, const Pro
     if (suited_cases.cases.empty()) throw InputError("no case is left to run");
     request.cases = std::move(suited_cases.cases);
     request.jobs = options.jobs;
+    request.timing = options.timing;
+    request.limits = {.seconds = options.case_seconds,
+                      .bytes = options.case_gigabytes
+                                   ? static_cast<std::uint64_t>(*options.case_gigabytes * 1e9)
+                                   : available_memory() / options.jobs};
     request.options = {.replay = options.replay,
                        .metrics = chosen(options.metrics),
                        .same_state = sweep.same_state,
@@ -165,6 +175,19 @@ void add_run(CLI::App& app, Program& program) {
             "key=value: run these cases only. Keys: strategy (name or label), organ, tool, scene, speed, "
             "seed, release, an option's name. May be given several times: values of one key are alternatives")
         ->allow_extra_args(false);
+    command
+        ->add_option("--case-seconds", options->case_seconds,
+                     "a case that takes longer is given up: status timed_out")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command
+        ->add_option("--case-gigabytes", options->case_gigabytes,
+                     "a case that takes more memory is given up: status out_of_memory; without it its "
+                     "job's share of what the machine has")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--timing", options->timing,
+                      "one case at a time on one core, strategies taking turns: for times that can be "
+                      "compared");
     command->add_flag("--dry-run", options->dry_run,
                       "check everything and list the cases; run and write nothing");
     command

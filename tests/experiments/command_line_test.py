@@ -7,15 +7,11 @@ import pathlib
 import re
 import signal
 import subprocess
-import unittest
 
-try:
-    import h5py
-    import numpy as np
-except ImportError:
-    h5py = None
+import h5py
 
 from program_test import ProgramTest, run_tests
+from same_bits import bits
 
 PAGES = pathlib.Path(__file__).resolve().parents[2] / "experiments" / "metrics" / "pages"
 
@@ -189,7 +185,6 @@ class CommandLine(ProgramTest):
         for words in (r"tool_volume_inside +mm³ +H, D +low", r"recovery +mm +end", r"time_cycle +ns +step +low"):
             self.assertRegex(text, words)
 
-    @unittest.skipIf(h5py is None, "needs python3-h5py")
     def test_states_are_compared_where_the_sweep_asks_for_it(self):
         self.sweep.write_text(SWEEP.replace("@10mm", "@5mm") + "[compare]\nsame_state = 2\n")
         self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1")
@@ -241,7 +236,6 @@ class CommandLine(ProgramTest):
 
     # Pictures of metrics
 
-    @unittest.skipIf(h5py is None, "the analysis needs its packages")
     def test_snapshot_draws_what_a_metric_counts(self):
         for name, beginning in (("x.png", b"\x89PNG"), ("x.svg", b"<?xml")):
             target = self.folder / name
@@ -273,7 +267,6 @@ class CommandLine(ProgramTest):
                     self.assertIn(f"(pictures/{name}.png)", own[0])
                     self.assertTrue((PAGES / "pictures" / f"{name}.png").exists())
 
-    @unittest.skipIf(h5py is None, "needs python3-h5py")
     def test_results_do_not_depend_on_the_number_of_jobs(self):
         other = self.folder / "other.h5"
         self.sweep.write_text(SWEEP + "[compare]\nsame_state = 2\n")
@@ -285,34 +278,12 @@ class CommandLine(ProgramTest):
         for name in one:
             self.assertEqual(one[name], two[name], name)
 
-    @unittest.skipIf(h5py is None, "needs python3-h5py")
     def test_show_passes_on_the_analysis_and_its_exit_code(self):
         self.expect_done("run", self.sweep, "-o", self.out)
         result = self.expect_done("show", self.out, "--by", "label,speed", "--metric", "depth_max_d_max", "--csv")
         self.assertIn("nearest-face", result.stdout)
         self.expect_refused("no_such_metric", "show", self.out, "--metric", "no_such_metric")
         self.expect_refused("none.h5", "show", self.folder / "none.h5")
-
-
-def bits(path):
-    """The bytes of every dataset that must be the same whenever the inputs and the program are."""
-    varying = ("wall_s", "attempts")
-    found = {}
-
-    def visit(name, item):
-        leaf = name.rpartition("/")[2]
-        if not isinstance(item, h5py.Dataset) or name.startswith("provenance/"):
-            return
-        if leaf.startswith("time_") or leaf in varying:
-            return
-        data = item[()]
-        text = data.dtype == object
-        found[name] = [bytes(one) for one in data] if text else np.asarray(data).tobytes()
-
-    with h5py.File(path) as file:
-        file.visititems(visit)
-        found["attributes"] = {key: str(value) for key, value in file.attrs.items() if key != "created_utc"}
-    return found
 
 
 if __name__ == "__main__":
