@@ -11,7 +11,7 @@ import sys
 from .errors import InputError
 
 # Where the modules that Debian packages separately come from.
-DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "matplotlib")}
+DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "scipy", "matplotlib")}
 
 
 class Parser(argparse.ArgumentParser):
@@ -25,7 +25,12 @@ def make_parser() -> argparse.ArgumentParser:
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
-    show.add_argument(
+    subject = show.add_mutually_exclusive_group()
+    subject.add_argument("--failures", action="store_true", help="the cases that did not complete, one a line")
+    subject.add_argument(
+        "--provenance", action="store_true", help="which programs on which machines the cases come from"
+    )
+    subject.add_argument(
         "--states", action="store_true",
         help="the same-state comparison: label and strategy are those that answered, run_label and "
         "run_strategy those in whose run the state was found",
@@ -79,14 +84,24 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def run_show(arguments: argparse.Namespace) -> None:
-    from .show import Wishes, show_cases, show_states
+    from .show import Wishes, show_cases, show_failures, show_provenance, show_states
 
-    by = [name.strip() for name in arguments.by.split(",")] if arguments.by else None
+    if (arguments.failures or arguments.provenance) and (arguments.by or arguments.metric):
+        raise InputError("--failures and --provenance take no --by and no --metric: they show cases, not figures")
     width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
-    style = "csv" if arguments.csv else "markdown" if arguments.markdown else "text"
-    wishes = Wishes(arguments.only, by, arguments.metric, style, width)
-    sys.stdout.write((show_states if arguments.states else show_cases)(arguments.file, wishes))
+    wishes = Wishes(arguments.only, names_of(arguments.by), arguments.metric, style_of(arguments), width)
+    chosen = {"states": show_states, "failures": show_failures, "provenance": show_provenance}
+    table = next((function for name, function in chosen.items() if getattr(arguments, name)), show_cases)
+    sys.stdout.write(table(arguments.file, wishes))
     sys.stdout.flush()
+
+
+def names_of(by: str | None) -> list[str] | None:
+    return [name.strip() for name in by.split(",")] if by else None
+
+
+def style_of(arguments: argparse.Namespace) -> str:
+    return "csv" if arguments.csv else "markdown" if arguments.markdown else "text"
 
 
 def run_snapshot(arguments: argparse.Namespace) -> None:
