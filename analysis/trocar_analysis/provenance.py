@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pandas as pd
+from pandas.api.types import is_integer_dtype
 
 from .errors import InputError
 from .table import Column, in_one_line, markdown, number
@@ -21,7 +22,7 @@ def origins(cases: pd.DataFrame, provenance: pd.DataFrame, path: str) -> pd.Data
     if provenance.empty or "provenance_row" not in cases:
         return pd.DataFrame(index=cases.index)
     rows = cases["provenance_row"]
-    if not rows.between(0, len(provenance) - 1).all():
+    if not is_integer_dtype(rows) or not rows.between(0, len(provenance) - 1).all():
         raise InputError(f"{path}: is damaged: provenance_row points to no row of /provenance")
     return provenance.iloc[rows].set_index(cases.index)
 

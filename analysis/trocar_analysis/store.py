@@ -28,6 +28,8 @@ OUTCOME = ("status", "reason", "attempts", "wall_s", "window_steps", "missing", 
 # are called run_… beside the answer's.
 RUN_OWN = ("strategy", "options", "label", "status")
 
+TEXTS = ("case_id", "strategy", "options", "label", "organ", "status", "reason")
+
 # What two cases must have in common to differ in nothing but the strategy.
 CONDITIONS = ("scene", "organ", "tool", "speed", "rate", "release", "fractions", "seed")
 
@@ -161,6 +163,9 @@ class ResultFile:
     def _table(self, group: str) -> pd.DataFrame:
         with self._reading():
             columns = {name: read_column(dataset) for name, dataset in self._file[group].items()}
+        for name, values in columns.items():
+            if values.ndim != 1 or (name in TEXTS and values.dtype != object):
+                raise InputError(f"{self.path}: is damaged: /{group}/{name} is no column of its kind")
         if len({len(values) for values in columns.values()}) > 1:
             raise InputError(f"{self.path}: is damaged: the columns of /{group} differ in length")
         return pd.DataFrame(columns)
