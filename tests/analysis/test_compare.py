@@ -221,7 +221,7 @@ class Compare(ProgramTest):
         self.assertIn("+∞", said[0])
 
     def test_groups_that_only_one_file_has(self):
-        self.b += [case | {"case_id": "n" + case["case_id"], "label": "new"} for case in self.b[:30]]
+        self.b = [case | {"case_id": "n" + case["case_id"], "label": "new"} for case in self.b[:30]] + self.b
         self.assertEqual(self.judged("depth_max_d_max > 5%", "outcomes"), (0, []))
         self.a, self.b = self.b, self.a
         code, said = self.judged("depth_max_d_max > 5%", "outcomes")

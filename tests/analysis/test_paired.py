@@ -101,6 +101,12 @@ class Interval(unittest.TestCase):
         self.assertLess(one[0], np.median(values))
         self.assertGreater(one[1], np.median(values))
 
+    def test_its_width_is_that_of_the_order_statistics(self):
+        # Of 101 values, those between the 41st and the 61st hold the median with 95 % (binomial).
+        low, high = bootstrap_interval(np.arange(101.0), *design(1, 101))
+        self.assertLessEqual(abs(low - 40), 1)
+        self.assertLessEqual(abs(high - 60), 1)
+
     def test_blocks_do_not_change_it(self):
         values, (organs, seeds) = np.random.default_rng(6).normal(size=60), design(6, 5, 2)
         whole = bootstrap_interval(values, organs, seeds)
