@@ -102,6 +102,11 @@ def number(value: object) -> str:
     return f"{value:.3g}"
 
 
+def in_one_line(said: str) -> str:
+    """Text that a file holds, such as the message of an exception, as the terminal may have it."""
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in " ".join(said.split()))
+
+
 def aligned(columns: list[Column], with_quartiles: bool) -> list[str]:
     """The table's lines. An empty line parts the groups of the first key where they have several rows."""
     blocks = []

@@ -80,7 +80,7 @@ class CommandLine(ProgramTest):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["list"], ["show"], ["snapshot"], ["check"], ["fuzzy"],
+        for command in ([], ["run"], ["list"], ["show"], ["compare"], ["snapshot"], ["check"], ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
             text = self.expect_done(*command, "--help").stdout
             self.assertIn("Example:", text)
@@ -284,6 +284,30 @@ class CommandLine(ProgramTest):
         self.assertIn("nearest-face", result.stdout)
         self.expect_refused("no_such_metric", "show", self.out, "--metric", "no_such_metric")
         self.expect_refused("none.h5", "show", self.folder / "none.h5")
+        self.assertIn("8 cases, no failures", self.expect_done("show", self.out, "--failures").stdout)
+        self.assertIn("8 cases, 1 program, 1 machine", self.expect_done("show", self.out, "--provenance").stdout)
+        self.expect_refused("excludes", "show", self.out, "--failures", "--by", "label")
+
+    @unittest.skipIf(h5py is None, "needs python3-h5py")
+    def test_compare_is_a_gate(self):
+        after = self.folder / "after.h5"
+        self.expect_done("run", self.sweep, "-o", self.out)
+        after.write_bytes(self.out.read_bytes())
+        gate = ("compare", self.out, after, "--fail-on", "gap_mean_d_mean > +5%", "--fail-on", "outcomes")
+        text = self.expect_done(*gate).stdout
+        self.assertIn("8 cases in both", text)
+        self.assertIn("equal", text)
+        with h5py.File(after, "a") as file:
+            file["cases/gap_mean_d_mean"][...] *= 1.1
+        result = self.run_program(*gate)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("fails on gap_mean_d_mean > +5%: gap_mean_d_mean, label nearest-face: +10 %", result.stderr)
+        with h5py.File(after, "a") as file:
+            file["cases/gap_mean_d_mean"][...] = np.nan
+        self.expect_refused("cannot evaluate gap_mean_d_mean", *gate)
+        self.expect_refused("expected outcomes, or a figure", *gate[:3], "--fail-on", "gap_mean_d_mean")
+        self.sweep.write_text("no result")
+        self.expect_refused("sweep.toml", "compare", self.out, self.sweep)
 
 
 if __name__ == "__main__":
