@@ -91,6 +91,9 @@ races:  ## run eight threads at once through the fuzzy inference under ThreadSan
 	cmake --build --preset tsan --target test_strategies --parallel $(JOBS)
 	build/tsan/tests/strategies/test_strategies --gtest_filter='EightThreads.*'
 
+chaos: build  ## kill a sweep and its workers 20 times, resume it, and compare it with an undisturbed run
+	tests/chaos.sh build/$(PRESET)/experiments/trocar
+
 sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(MAKE) test PRESET=asan TROCAR_LINK_PROGRAM=OFF
 

@@ -48,13 +48,13 @@ PendingFile::~PendingFile() {
     std::filesystem::remove(temporary_, ignored);
 }
 
-void remove_abandoned(const std::filesystem::path& name) {
-    const std::string abandoned = fmt::format("{}.tmp.{}.", name.filename().string(), host_name());
-    const auto folder = name.has_parent_path() ? name.parent_path() : std::filesystem::path(".");
+void remove_abandoned(const std::filesystem::path& folder, const std::string& name) {
+    const std::string suffix = fmt::format(".tmp.{}.", host_name());
     std::error_code ignored;  // nothing depends on it
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-        if (entry.path().filename().string().starts_with(abandoned))
-            std::filesystem::remove(entry.path(), ignored);
+    for (const auto& entry : std::filesystem::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+        const std::string file = entry.path().filename().string();
+        const bool of_name = name.empty() || file.starts_with(name + suffix);
+        if (of_name && file.find(suffix) != std::string::npos) std::filesystem::remove(entry.path(), ignored);
     }
 }
 

@@ -26,8 +26,8 @@ class PendingFile {
     std::filesystem::path temporary_;
 };
 
-/// Removes temporary files of `name` that killed processes of this machine left. To be called only by who is
-/// alone in writing `name`.
-void remove_abandoned(const std::filesystem::path& name);
+/// Removes what killed processes of this machine left in `folder` of the file `name`, or of all files when it
+/// is empty. To be called only by who is alone in writing them.
+void remove_abandoned(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace trocar

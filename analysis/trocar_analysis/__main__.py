@@ -1,5 +1,6 @@
-"""The command line: `/usr/bin/python3 -m trocar_analysis show|snapshot|scene|metrics|rules …`. Exit code 0 when done, 2 for bad
-usage or input, with one line on stderr that says what is wrong."""
+"""The command line: `/usr/bin/python3 -m trocar_analysis show|compare|snapshot|scene|metrics|rules …`. Exit code 0 when
+done, 1 when `compare` found what it should fail on, 2 for bad usage or input, with one line on stderr that says what
+is wrong."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ import sys
 from .errors import InputError
 
 # Where the modules that Debian packages separately come from.
-DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "matplotlib")}
+DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "scipy", "matplotlib")}
 
 
 class Parser(argparse.ArgumentParser):
@@ -21,11 +22,16 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="show|snapshot|scene|metrics|rules")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="show|compare|snapshot|scene|metrics|rules")
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
-    show.add_argument(
+    subject = show.add_mutually_exclusive_group()
+    subject.add_argument("--failures", action="store_true", help="the cases that did not complete, one a line")
+    subject.add_argument(
+        "--provenance", action="store_true", help="which programs on which machines the cases come from"
+    )
+    subject.add_argument(
         "--states", action="store_true",
         help="the same-state comparison: label and strategy are those that answered, run_label and "
         "run_strategy those in whose run the state was found",
@@ -45,6 +51,32 @@ def make_parser() -> argparse.ArgumentParser:
     style.add_argument("--csv", action="store_true", help="a tidy table in full precision")
     style.add_argument("--markdown", action="store_true", help="a Markdown table")
     show.set_defaults(function=run_show)
+
+    comparison = commands.add_parser("compare", help="what changed from one file to another, case by case")
+    comparison.add_argument("a", metavar="A", help="result file")
+    comparison.add_argument("b", metavar="B", help="result file of the same sweep, of another program for example")
+    comparison.add_argument(
+        "--only", action="append", default=[], metavar="KEY=VALUE",
+        help="these cases only; values of one key are alternatives; may be given several times",
+    )  # fmt: skip
+    comparison.add_argument(
+        "--by", metavar="COLUMN,…", help="inputs or options of strategies to group by; default: label"
+    )
+    comparison.add_argument(
+        "--metric", action="append", metavar="NAME",
+        help="a column, or a metric: then all its columns; may be given several times",
+    )  # fmt: skip
+    comparison.add_argument(
+        "--fail-on", action="append", default=[], metavar="CONDITION",
+        help='such as "depth_max_d_max > +5%%", or outcomes; may be given several times',
+    )  # fmt: skip
+    comparison.add_argument(
+        "--better", default="", metavar="METRIC=low|high,…", help="which way is better; others are not judged"
+    )
+    style = comparison.add_mutually_exclusive_group()
+    style.add_argument("--csv", action="store_true", help="a tidy table in full precision")
+    style.add_argument("--markdown", action="store_true", help="a Markdown table")
+    comparison.set_defaults(function=run_compare)
 
     snapshot = commands.add_parser("snapshot", help="a picture of one step, strategies side by side")
     snapshot.add_argument("file", help="result file of a run with --replay")
@@ -79,14 +111,41 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def run_show(arguments: argparse.Namespace) -> None:
-    from .show import Wishes, show_cases, show_states
+    from .show import Wishes, show_cases, show_failures, show_provenance, show_states
 
-    by = [name.strip() for name in arguments.by.split(",")] if arguments.by else None
+    if (arguments.failures or arguments.provenance) and (arguments.by or arguments.metric):
+        raise InputError("--failures and --provenance take no --by and no --metric: they show cases, not figures")
     width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
-    style = "csv" if arguments.csv else "markdown" if arguments.markdown else "text"
-    wishes = Wishes(arguments.only, by, arguments.metric, style, width)
-    sys.stdout.write((show_states if arguments.states else show_cases)(arguments.file, wishes))
+    wishes = Wishes(arguments.only, names_of(arguments.by), arguments.metric, style_of(arguments), width)
+    chosen = {"states": show_states, "failures": show_failures, "provenance": show_provenance}
+    table = next((function for name, function in chosen.items() if getattr(arguments, name)), show_cases)
+    sys.stdout.write(table(arguments.file, wishes))
     sys.stdout.flush()
+
+
+def run_compare(arguments: argparse.Namespace) -> int:
+    """1 when a condition of --fail-on is violated, 2 when one cannot be evaluated."""
+    from .compare import Comparison, compare
+
+    a = arguments
+    better = dict(word.split("=", 1) for word in a.better.split(",") if "=" in word)
+    asked = Comparison(a.only, names_of(a.by), a.metric, a.fail_on, better, style_of(a))
+    table, judgement = compare(a.a, a.b, asked)
+    sys.stdout.write(table)
+    sys.stdout.flush()
+    for line in judgement.violated:
+        print(f"trocar: fails on {line}", file=sys.stderr)
+    for line in judgement.not_evaluated:
+        print(f"trocar: cannot evaluate {line}", file=sys.stderr)
+    return 2 if judgement.not_evaluated else 1 if judgement.violated else 0
+
+
+def names_of(by: str | None) -> list[str] | None:
+    return [name.strip() for name in by.split(",")] if by else None
+
+
+def style_of(arguments: argparse.Namespace) -> str:
+    return "csv" if arguments.csv else "markdown" if arguments.markdown else "text"
 
 
 def run_snapshot(arguments: argparse.Namespace) -> None:
@@ -118,7 +177,7 @@ def main() -> int:
     sys.stdout.reconfigure(errors="replace")  # a terminal that cannot show "µ" shows "?"
     try:
         arguments = make_parser().parse_args()
-        arguments.function(arguments)
+        return arguments.function(arguments) or 0
     except InputError as error:
         print(f"trocar: {error}", file=sys.stderr)
         return 2

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, field
 
 import pandas as pd
 
 from .errors import InputError
+from .failures import failures_text
 from .missing import notes
 from .options import option_columns
+from .provenance import is_time, origins, provenance_text, warning
 from .store import CONDITIONS, ResultFile
 from .subject import CASES, STATES, Subject, number_of_states, tally
 from .summary import choose_figures, choose_keys, only_rows, summarise
@@ -26,13 +29,27 @@ class Wishes:
     width: int | None = None  # the terminal's (see render)
 
 
-def show_cases(path: str, wishes: Wishes) -> str:
-    """The table of a result file's cases."""
+@dataclass(frozen=True)
+class Contents:
+    """What a table of cases is made from."""
+
+    cases: pd.DataFrame
+    origin: pd.DataFrame  # how each of them was run (see provenance.origins)
+    units: dict[str, str]
+
+
+def read_cases(path: str) -> Contents:
     with ResultFile(path) as results:
-        cases, units = results.cases_table(), results.units()
+        cases, provenance, units = results.cases_table(), results.provenance_table(), results.units()
     if cases.empty:
         raise InputError(f"{path}: has no cases")
-    return show(path, cases, units, CASES, wishes)
+    return Contents(cases, origins(cases, provenance, path), units)
+
+
+def show_cases(path: str, wishes: Wishes) -> str:
+    """The table of a result file's cases."""
+    contents = read_cases(path)
+    return show(path, contents.cases, contents.units, CASES, wishes, contents.origin)
 
 
 def show_states(path: str, wishes: Wishes) -> str:
@@ -44,20 +61,49 @@ def show_states(path: str, wishes: Wishes) -> str:
     return show(path, states, units, STATES, wishes)
 
 
-def show(path: str, rows: pd.DataFrame, units: dict[str, str], subject: Subject, wishes: Wishes) -> str:
-    figures = choose_figures(rows, wishes.metrics, subject)
+def show_failures(path: str, wishes: Wishes) -> str:
+    """The cases that did not complete."""
+    contents = read_cases(path)
+    cases, _ = chosen_rows(path, contents.cases, CASES, wishes)
+    return failures_text(path, cases, contents.units, wishes.style)
+
+
+def show_provenance(path: str, wishes: Wishes) -> str:
+    """Which programs on which machines the cases come from."""
+    contents = read_cases(path)
+    cases, _ = chosen_rows(path, contents.cases, CASES, wishes)
+    return provenance_text(path, contents.origin.loc[cases.index], wishes.style)
+
+
+def chosen_rows(
+    path: str, rows: pd.DataFrame, subject: Subject, wishes: Wishes
+) -> tuple[pd.DataFrame, list[str]]:
+    """The rows that are asked for, with the options of their strategies as columns, and by what one may ask."""
     options = option_columns(rows, path)
     known = [*(name for name in subject.keys if name in rows), *options]
-    rows = only_rows(rows.join(options), wishes.only, known)
+    return only_rows(rows.join(options), wishes.only, known), known
+
+
+def show(
+    path: str, rows: pd.DataFrame, units: dict[str, str], subject: Subject, wishes: Wishes,
+    origin: pd.DataFrame | None = None,
+) -> str:  # fmt: skip
+    figures = choose_figures(rows, wishes.metrics, subject)
+    rows, known = chosen_rows(path, rows, subject, wishes)
     keys = choose_keys(rows, wishes.by, known)
     if not figures:
         raise InputError(f"{path}: has none of the usual figures; name one with --metric")
     summary = summarise(rows, keys, figures, units, subject)
+    has_times = origin is not None and any(map(is_time, figures))
+    caution = warning(origin.loc[rows.index]) if has_times else []
     if wishes.style == "csv":
+        print(*caution, sep="\n", end="\n" if caution else "", file=sys.stderr)
         return summary.to_csv(index=False)
     what = count_of_cases(rows) if subject is CASES else count_of_states(rows)
-    heading = [f"{path}: {what}", *shared_conditions(rows, keys, units)]
+    heading = [f"{path}: {what}", *shared_conditions(rows, keys, units), *caution]
     below = notes(subject.count(rows)[0], figures, subject)
+    if wishes.style == "markdown":
+        below = [*caution, *below]
     return render(summary, keys, figures, units, subject, heading, below, wishes.style, wishes.width)
 
 

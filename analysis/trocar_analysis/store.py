@@ -30,6 +30,8 @@ OUTCOME = (
 # are called run_… beside the answer's.
 RUN_OWN = ("strategy", "options", "label", "status")
 
+TEXTS = ("case_id", "strategy", "options", "label", "organ", "status", "reason")
+
 # What two cases must have in common to differ in nothing but the strategy.
 CONDITIONS = ("scene", "organ", "tool", "speed", "rate", "release", "fractions", "seed")
 
@@ -116,6 +118,11 @@ class ResultFile:
         new = [name for name in runs if name == "case_id" or name not in states]
         return states.merge(runs[new], on="case_id", how="left", validate="many_to_one")
 
+    def provenance_table(self) -> pd.DataFrame:
+        """/provenance: how cases were run, each distinct way once; their column provenance_row numbers its rows.
+        Empty when the file has none."""
+        return self._table("provenance")
+
     def units(self) -> dict[str, str]:
         """The unit of each column of /cases and /states; "" for text and plain numbers."""
         with self._reading():
@@ -149,16 +156,23 @@ class ResultFile:
 
     def _labelled(self, group: str) -> pd.DataFrame:
         """A table of the file. A row without a label gets its strategy's name as label."""
+        table = self._table(group)
         with self._reading():
-            columns = {name: read_column(dataset) for name, dataset in self._file[group].items()}
-            for said in set(columns.get("missing", ())):
+            for said in set(table.get("missing", ())):
                 read_reasons(said)
-        if len({len(values) for values in columns.values()}) != 1:
-            raise InputError(f"{self.path}: is damaged: the columns of /{group} differ in length")
-        table = pd.DataFrame(columns)
         label = table.get("label", pd.Series("", index=table.index))
         table["label"] = label.where(label != "", table["strategy"])
         return table
+
+    def _table(self, group: str) -> pd.DataFrame:
+        with self._reading():
+            columns = {name: read_column(dataset) for name, dataset in self._file[group].items()}
+        for name, values in columns.items():
+            if values.ndim != 1 or (name in TEXTS and values.dtype != object):
+                raise InputError(f"{self.path}: is damaged: /{group}/{name} is no column of its kind")
+        if len({len(values) for values in columns.values()}) > 1:
+            raise InputError(f"{self.path}: is damaged: the columns of /{group} differ in length")
+        return pd.DataFrame(columns)
 
     def _read_step(self, case_id: str, number: int) -> Step:
         replay = self._replay(case_id)

@@ -10,6 +10,7 @@ import pandas as pd
 from .subject import Subject
 
 ABSENT = "–"
+ROUNDING = 1e-12  # no figure of ours is that small, in its unit or ns, but by rounding; --csv has it in full
 
 
 @dataclass
@@ -92,14 +93,21 @@ def figure_cell(row: pd.Series, factor: float) -> tuple[str, str]:
 
 
 def number(value: object) -> str:
-    """Three significant digits of a fraction; whole numbers and texts as they are."""
+    """Three significant digits of a fraction; whole numbers and texts as they are. What is below ROUNDING is 0."""
     if not isinstance(value, float):
         return str(value)
     if math.isnan(value):
         return ABSENT
+    if abs(value) < ROUNDING:
+        return "0"
     if value.is_integer() or abs(value) >= 1000:
         return f"{value:.0f}"
     return f"{value:.3g}"
+
+
+def in_one_line(said: str) -> str:
+    """Text that a file holds, such as the message of an exception, as the terminal may have it."""
+    return "".join(c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in " ".join(said.split()))
 
 
 def aligned(columns: list[Column], with_quartiles: bool) -> list[str]:

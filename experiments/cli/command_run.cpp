@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,7 @@
 #include "experiments/run/progress.h"
 #include "experiments/run/provenance.h"
 #include "experiments/run/run_sweep.h"
+#include "experiments/run/workers/memory_use.h"
 #include "experiments/sweep/hash.h"
 #include "experiments/sweep/shard.h"
 #include "results/store.h"
@@ -56,6 +58,9 @@ struct RunOptions {
     bool retry_failed = false;
     bool fresh = false;
     std::string shard;
+    bool timing = false;
+    double case_seconds = TaskLimits{}.seconds;
+    std::optional<double> case_gigabytes;
     std::string metrics = "all";
 };
 
@@ -104,6 +109,11 @@ RunRequest make_request(const RunOptions& options, const Sweep& sweep, const Pro
     if (!options.shard.empty())
         request.cases = in_shard(std::move(request.cases), parse_shard(options.shard));
     request.jobs = options.jobs;
+    request.timing = options.timing;
+    request.limits = {.seconds = options.case_seconds,
+                      .bytes = options.case_gigabytes
+                                   ? static_cast<std::uint64_t>(*options.case_gigabytes * 1e9)
+                                   : available_memory() / options.jobs};
     request.options = {.replay = options.replay,
                        .metrics = chosen(options.metrics),
                        .same_state = sweep.same_state,
@@ -217,6 +227,19 @@ void add_run(CLI::App& app, Program& program) {
             "key=value: run these cases only. Keys: strategy (name or label), organ, tool, scene, speed, "
             "seed, release, an option's name. May be given several times: values of one key are alternatives")
         ->allow_extra_args(false);
+    command
+        ->add_option("--case-seconds", options->case_seconds,
+                     "a case that takes longer is given up: status timed_out")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command
+        ->add_option("--case-gigabytes", options->case_gigabytes,
+                     "a case that takes more memory is given up: status out_of_memory; without it its "
+                     "job's share of what the machine has")
+        ->check(CLI::PositiveNumber);
+    command->add_flag("--timing", options->timing,
+                      "one case at a time on one core, strategies taking turns: for times that can be "
+                      "compared");
     command->add_flag("--dry-run", options->dry_run,
                       "check everything and list the cases; run and write nothing");
     command

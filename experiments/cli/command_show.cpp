@@ -17,12 +17,13 @@ constexpr const char* footer =
     "Example:\n"
     "  trocar show results.h5 --by label,speed --metric depth_max_d_max\n"
     "  trocar show results.h5 --by aggregate,normals --only feedback=true\n"
-    "  trocar show results.h5 --states --only run_label=nearest-face";
+    "  trocar show results.h5 --states --only run_label=nearest-face\n"
+    "  trocar show results.h5 --failures --only organ=liver@4mm";
 
 struct ShowOptions {
     std::string file, by;
     std::vector<std::string> filters, metrics;
-    bool states = false, csv = false, markdown = false;
+    bool states = false, failures = false, provenance = false, csv = false, markdown = false;
 
     [[nodiscard]] std::vector<std::string> arguments() const {
         std::vector<std::string> words{"show"};
@@ -30,6 +31,8 @@ struct ShowOptions {
         if (!by.empty()) words.push_back("--by=" + by);
         for (const std::string& metric : metrics) words.push_back("--metric=" + metric);
         if (states) words.emplace_back("--states");
+        if (failures) words.emplace_back("--failures");
+        if (provenance) words.emplace_back("--provenance");
         if (csv) words.emplace_back("--csv");
         if (markdown) words.emplace_back("--markdown");
         words.insert(words.end(), {"--", file});
@@ -48,17 +51,25 @@ void add_show(CLI::App& app, Program& program) {
         ->add_option("--only", options->filters,
                      "key=value: these cases only, as for trocar run; may be given several times")
         ->allow_extra_args(false);
-    command->add_flag(
+    CLI::Option* states = command->add_flag(
         "--states", options->states,
         "the same-state comparison: what each strategy made of states found in the runs; label is "
         "the strategy that answered, run_label the one whose run it was");
-    command->add_option("--by", options->by,
-                        "columns or options of strategies to group by, separated by commas; without it: what "
-                        "differs, and the label");
-    command
-        ->add_option("--metric", options->metrics,
-                     "a column, or a metric for all its columns; may be given several times")
-        ->allow_extra_args(false);
+    CLI::Option* by =
+        command->add_option("--by", options->by,
+                            "columns or options of strategies to group by, separated by commas; without it: "
+                            "what differs, and the label");
+    CLI::Option* metric =
+        command
+            ->add_option("--metric", options->metrics,
+                         "a column, or a metric for all its columns; may be given several times")
+            ->allow_extra_args(false);
+    CLI::Option* failures = command->add_flag("--failures", options->failures,
+                                              "the cases that did not complete, one a line, with the reason");
+    CLI::Option* provenance = command->add_flag("--provenance", options->provenance,
+                                                "which programs on which machines the cases come from");
+    failures->excludes(states)->excludes(by)->excludes(metric);
+    provenance->excludes(states)->excludes(by)->excludes(metric)->excludes(failures);
     CLI::Option* csv = command->add_flag("--csv", options->csv, "comma-separated, in full precision");
     command->add_flag("--markdown", options->markdown, "a Markdown table")->excludes(csv);
     command->callback([options, &program] { program.exit_code = run_analysis(options->arguments()); });

@@ -30,6 +30,7 @@ void add_run(CLI::App& app, Program& program);
 void add_merge(CLI::App& app, Program& program);
 void add_list(CLI::App& app, Program& program);
 void add_show(CLI::App& app, Program& program);
+void add_compare(CLI::App& app, Program& program);
 void add_snapshot(CLI::App& app, Program& program);
 void add_check(CLI::App& app, Program& program);
 void add_fuzzy(CLI::App& app, Program& program);

@@ -44,10 +44,12 @@ PartsFolder::PartsFolder(const std::filesystem::path& out, PartsOf run)
         close(lock_);
         refuse(out, error);
     }
-    remove_abandoned(out);
+    remove_abandoned(folder_.parent_path(), out.filename().string());
+    remove_abandoned(own_, "");
 }
 
 PartsFolder::~PartsFolder() {
+    remove_abandoned(own_, "");  // a worker that was ended while it wrote keeps its place on a full disk
     std::error_code not_empty;
     std::filesystem::remove(own_, not_empty);
     std::filesystem::remove(folder_, not_empty);

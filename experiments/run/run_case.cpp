@@ -212,24 +212,43 @@ std::string metric_names(const std::vector<const Metric*>& metrics) {
     return fmt::format("{}", fmt::join(names, ","));
 }
 
-std::optional<CaseRecord> run_case(const CaseInputs& inputs, const SceneSource& scene_of, Strategy& strategy,
-                                   const CaseOptions& options, const std::stop_token& stop) {
-    const auto started = Clock::now();
+namespace {
+
+Gathered nothing_yet(const CaseInputs& inputs, const CaseOptions& options) {
     Gathered gathered{
         .window = {}, .series = empty_series(options.metrics), .at_end = {}, .states = {}, .replay = {}};
     if (options.replay) gathered.replay = empty_replay(*inputs.organ.organ, *inputs.tool.tool);
-    const Outcome outcome = run_contained(inputs, scene_of, strategy, options, gathered, stop);
-    if (outcome.stopped) return std::nullopt;
-    const std::chrono::duration<double> wall = Clock::now() - started;
+    return gathered;
+}
 
+CaseRecord record_of(const CaseInputs& inputs, const CaseOptions& options, const Outcome& outcome,
+                     Gathered&& gathered, double wall_s) {
     CaseRecord record;
     record.case_id = inputs.case_id;
     record.cells = identifying_cells(inputs);
-    std::ranges::move(outcome_cells(outcome, options, wall.count()), std::back_inserter(record.cells));
+    std::ranges::move(outcome_cells(outcome, options, wall_s), std::back_inserter(record.cells));
     std::ranges::move(judging_cells(inputs, options, gathered), std::back_inserter(record.cells));
     std::ranges::move(figure_cells(options, gathered, outcome.status), std::back_inserter(record.cells));
     add_steps(record, std::move(gathered), inputs.cycle.dt());
     return record;
+}
+
+}  // namespace
+
+std::optional<CaseRecord> run_case(const CaseInputs& inputs, const SceneSource& scene_of, Strategy& strategy,
+                                   const CaseOptions& options, const std::stop_token& stop) {
+    const auto started = Clock::now();
+    Gathered gathered = nothing_yet(inputs, options);
+    const Outcome outcome = run_contained(inputs, scene_of, strategy, options, gathered, stop);
+    if (outcome.stopped) return std::nullopt;
+    const std::chrono::duration<double> wall = Clock::now() - started;
+    return record_of(inputs, options, outcome, std::move(gathered), wall.count());
+}
+
+CaseRecord lost_case(const CaseInputs& inputs, const CaseOptions& options, CaseStatus status,
+                     const std::string& reason, double wall_s) {
+    return record_of(inputs, options, {.status = status, .reason = reason, .stopped = false},
+                     nothing_yet(inputs, options), wall_s);
 }
 
 }  // namespace trocar

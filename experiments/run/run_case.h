@@ -26,4 +26,9 @@ using SceneSource = std::function<std::shared_ptr<const PreparedScene>(const Cas
 std::optional<CaseRecord> run_case(const CaseInputs& inputs, const SceneSource& scene_of, Strategy& strategy,
                                    const CaseOptions& options, const std::stop_token& stop);
 
+/// The record of a case that ran where nothing could be gathered: its process did not live to the end.
+/// @param wall_s how long it ran
+CaseRecord lost_case(const CaseInputs& inputs, const CaseOptions& options, CaseStatus status,
+                     const std::string& reason, double wall_s);
+
 }  // namespace trocar

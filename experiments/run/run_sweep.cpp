@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
-#include <mutex>
 #include <ranges>
 #include <set>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include "experiments/run/case_pool.h"
+#include "experiments/run/batches.h"
 #include "experiments/run/done_cases.h"
 #include "experiments/run/parts_folder.h"
 #include "experiments/run/provenance.h"
@@ -17,7 +17,6 @@
 #include "experiments/run/shared_scenes.h"
 #include "results/store.h"
 #include "results/xdmf.h"
-#include "strategies/registry.h"
 
 namespace trocar {
 namespace {
@@ -69,15 +68,6 @@ std::vector<CaseInputs> pending_of(const RunRequest& request, const DoneCases& d
     return pending;
 }
 
-/// Cases of one scene after each other, the scenes in the order of their first case: a scene is prepared
-/// once, and a run that is cut off leaves comparisons that are whole.
-std::vector<CaseInputs> by_scene(std::vector<CaseInputs> cases) {
-    std::map<std::string, std::size_t> rank;
-    for (const CaseInputs& inputs : cases) rank.try_emplace(inputs.scene_id, rank.size());
-    std::ranges::stable_sort(cases, {}, [&](const CaseInputs& inputs) { return rank.at(inputs.scene_id); });
-    return cases;
-}
-
 std::string text_cell(const CaseRecord& record, std::string_view name) {
     const auto cell = std::ranges::find(record.cells, name, &Cell::name);
     return std::get<std::string>(cell->value);
@@ -89,7 +79,7 @@ std::string failure_line(const CaseInputs& inputs, const CaseRecord& record) {
                        inputs.scene.name, inputs.speed, inputs.seed, text_cell(record, "reason"));
 }
 
-/// Writes the case as a part and books it.
+/// Writes the case as a part.
 void store_case(CaseRecord& record, const RunRequest& request, const std::filesystem::path& file,
                 const std::string& start) {
     record.build_id = request.build_id;
@@ -139,42 +129,121 @@ std::vector<CaseInputs> pending_cases(const RunRequest& request) {
     return pending_of(request, find_kept_cases(request));
 }
 
+namespace {
+
+CaseStatus status_of(Loss loss) {
+    switch (loss) {
+        case Loss::timed_out:
+            return CaseStatus::timed_out;
+        case Loss::out_of_memory:
+            return CaseStatus::out_of_memory;
+        case Loss::crashed:
+            break;
+    }
+    return CaseStatus::crashed;
+}
+
+/// The pending cases of one run: what a worker does with them, and what the supervisor books.
+class PendingRun {
+  public:
+    PendingRun(const RunRequest& request, DoneCases& done, const std::filesystem::path& parts,
+               const std::function<void(std::size_t, std::size_t)>& on_progress)
+        : request_(request),
+          done_(done),
+          parts_(parts),
+          on_progress_(on_progress),
+          pending_(pending_of(request, done)) {
+        pending_ = request.timing ? spread_out(std::move(pending_), request.header.sweep_hash)
+                                  : by_scene(std::move(pending_));
+        for (const CaseInputs& inputs : pending_) options_.push_back(options_of(inputs, done, request));
+    }
+
+    void run(RunOutcome& outcome, const std::stop_token& stop) {
+        const unsigned workers = request_.timing ? 1 : request_.jobs;
+        outcome.kept = request_.cases.size() - pending_.size();
+        const Listener listener{
+            .done = [&](std::uint64_t task, const std::string& said) { book(task, said, outcome); },
+            .lost = [&](const LostTask& lost) { book(lost.task, store_lost(lost), outcome); }};
+        try {
+            supervise(
+                batches_of(pending_, workers), workers, request_.limits, stop,
+                [&](const Batch& batch, const ReportDone& report) { work(batch, report); }, listener);
+        } catch (const WorkerError& error) {
+            throw StoreError(error.what());
+        }
+        outcome.interrupted = outcome.ran < pending_.size();
+    }
+
+  private:
+    /// In a worker.
+    void work(const Batch& batch, const ReportDone& report) const {
+        if (request_.timing) stay_on_one_core();
+        SharedScenes scenes{std::span(pending_).subspan(batch.begin, batch.end - batch.begin)};
+        const SceneSource scene_of = [&](const CaseInputs& inputs) { return scenes.scene_of(inputs); };
+        for (std::uint64_t task = batch.begin; task < batch.end; ++task) {
+            const CaseInputs& inputs = pending_[task];
+            const std::string start = now_utc();
+            const auto strategy = request_.make(inputs.strategy);
+            const std::uint64_t attempt = task == batch.begin ? batch.attempt : 1;
+            report(store(task, *run_case(inputs, scene_of, *strategy, options_[task], {}), attempt, start));
+        }
+    }
+
+    std::string store_lost(const LostTask& lost) const {
+        return store(lost.task,
+                     lost_case(pending_[lost.task], options_[lost.task], status_of(lost.loss), lost.reason,
+                               lost.seconds),
+                     lost.attempt, now_utc());
+    }
+
+    /// Writes the record as a part, and says what the supervisor must know of it.
+    std::string store(std::uint64_t task, CaseRecord record, std::uint64_t attempt,
+                      const std::string& start) const {
+        std::ranges::find(record.cells, "attempts", &Cell::name)->value =
+            options_[task].earlier_attempts + static_cast<std::int64_t>(attempt);
+        store_case(record, request_, part_of(task), start);
+        const std::string status = text_cell(record, "status");
+        const bool complete = status == status_name(CaseStatus::complete);
+        return nlohmann::json{{"status", status},
+                              {"failure", complete ? "" : failure_line(pending_[task], record)}}
+            .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    }
+
+    void book(std::uint64_t task, const std::string& said, RunOutcome& outcome) {
+        const nlohmann::json report = nlohmann::json::parse(said);
+        done_[pending_[task].case_id] = {.file = part_of(task),
+                                         .build_id = request_.build_id,
+                                         .status = report.at("status"),
+                                         .has_replay = options_[task].replay,
+                                         .metrics = metric_names(options_[task].metrics)};
+        if (const std::string failure = report.at("failure"); !failure.empty()) {
+            outcome.failures.push_back(failure);
+        }
+        on_progress_(++outcome.ran, pending_.size());
+    }
+
+    [[nodiscard]] std::filesystem::path part_of(std::uint64_t task) const {
+        return parts_ / (pending_[task].case_id + ".h5");
+    }
+
+    const RunRequest& request_;
+    DoneCases& done_;
+    const std::filesystem::path& parts_;
+    const std::function<void(std::size_t, std::size_t)>& on_progress_;
+    std::vector<CaseInputs> pending_;
+    std::vector<CaseOptions> options_;  // of each of them
+};
+
+}  // namespace
+
 RunOutcome run_sweep(const RunRequest& request,
                      const std::function<void(std::size_t, std::size_t)>& on_progress,
                      const std::stop_token& stop) {
     const PartsFolder parts(request.out, request.fresh ? PartsOf::fresh_run : PartsOf::any_run);
     const DoneCases before = find_done_cases(request.out, request.header.sweep_hash);
     DoneCases done = request.fresh ? find_kept_cases(request) : before;
-    const std::vector<CaseInputs> pending = by_scene(pending_of(request, done));
     RunOutcome outcome;
-    outcome.kept = request.cases.size() - pending.size();
-
-    SharedScenes scenes(pending);
-    const SceneSource scene_of = [&](const CaseInputs& inputs) { return scenes.scene_of(inputs); };
-    std::mutex guard;  // of `done` and `outcome`, and of on_progress
-    for_each_case(
-        pending, request.jobs, stop, [&](const CaseInputs& inputs, const std::stop_token& stop_case) {
-            const std::string start = now_utc();
-            const auto strategy = make_strategy(inputs.strategy.name, inputs.strategy.options);
-            std::unique_lock lock(guard);
-            const CaseOptions options = options_of(inputs, done, request);
-            lock.unlock();
-            std::optional<CaseRecord> record = run_case(inputs, scene_of, *strategy, options, stop_case);
-            if (!record) return;
-            const std::filesystem::path file = parts.path() / (inputs.case_id + ".h5");
-            store_case(*record, request, file, start);
-            const std::string status = text_cell(*record, "status");
-            lock.lock();
-            done[inputs.case_id] = {.file = file,
-                                    .build_id = request.build_id,
-                                    .status = status,
-                                    .has_replay = record->replay.has_value(),
-                                    .metrics = metric_names(options.metrics)};
-            if (status != status_name(CaseStatus::complete))
-                outcome.failures.push_back(failure_line(inputs, *record));
-            on_progress(++outcome.ran, pending.size());
-        });
-    outcome.interrupted = outcome.ran < pending.size();
+    PendingRun(request, done, parts.path(), on_progress).run(outcome, stop);
     std::ranges::sort(outcome.failures);
     for (const CaseInputs& inputs : request.cases) {
         if (has_result(done, inputs, request)) ++outcome.by_status[done.at(inputs.case_id).status];

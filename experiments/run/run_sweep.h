@@ -3,13 +3,16 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "experiments/run/case_options.h"
+#include "experiments/run/workers/supervise.h"
 #include "experiments/sweep/cases.h"
 #include "results/record.h"
+#include "strategies/registry.h"
 
 namespace trocar {
 
@@ -19,7 +22,10 @@ struct RunRequest {
     CampaignHeader header;
     std::vector<std::string> case_order;  ///< ids of all cases of the sweep
     std::vector<CaseInputs> cases;        ///< those of them that are asked for
-    unsigned jobs = 1;                    ///< cases that run at once
+    unsigned jobs = 1;                    ///< cases that run at once, each in a process of its own
+    TaskLimits limits;                    ///< of one case
+    bool timing =
+        false;  ///< one case at a time on one core, in an order that spreads drift over all strategies
     CaseOptions options;
     std::string build_id;       ///< results of another build are run again
     bool retry_failed = false;  ///< and those that are not complete
@@ -27,6 +33,10 @@ struct RunRequest {
     /// in a folder of their own, where the next fresh run goes on.
     bool fresh = false;
     std::vector<std::string> arguments;  ///< the command line, for the provenance
+    /// How a case's strategy is made.
+    std::function<std::unique_ptr<Strategy>(const StrategyChoice&)> make = [](const StrategyChoice& choice) {
+        return make_strategy(choice.name, choice.options);
+    };
 };
 
 /// How a sweep ended.
@@ -44,9 +54,10 @@ struct RunOutcome {
 /// find_done_cases).
 std::vector<CaseInputs> pending_cases(const RunRequest& request);
 
-/// Runs the pending cases, `jobs` at once. Each finished case is written at once as a file of its own; at the
-/// end, and when `stop` is requested, all are merged into `out`, in the sweep's order, whatever the order
-/// they finished in. `on_progress` is called after each case, by one thread at a time, with the number of
+/// Runs the pending cases in child processes, `jobs` at once. A case that ends its process, or takes more
+/// than its limits, is stored with that outcome, and the others go on. Each finished case is written at once
+/// as a file of its own; at the end, and when `stop` is requested, all are merged into `out`, in the sweep's
+/// order, whatever the order they finished in. `on_progress` is called after each case with the number of
 /// cases done and of all that were pending. Throws InputError, before anything runs, when `out` cannot be
 /// written or holds something else, and StoreError when writing fails: finished cases then stay in the parts
 /// folder, where the next run finds them.

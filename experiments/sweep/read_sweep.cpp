@@ -60,9 +60,8 @@ std::vector<std::uint64_t> read_seeds(const ConfigTable& table) {
 /// A label that two strategies share by default needs another message: the remedy is not to drop one of them.
 void check_differs(const StrategyChoice& one, const StrategyChoice& earlier, Place place) {
     if (one.name == earlier.name && one.options == earlier.options) {
-        throw PlacedError(
-            place, fmt::format("strategies lists {} twice with the same options: \"{}\", \"{}\"", one.name,
-                               earlier.label, one.label));
+        throw PlacedError(place, fmt::format(R"(strategies lists {} twice with the same options: "{}", "{}")",
+                                             one.name, earlier.label, one.label));
     }
     if (one.label == earlier.label) {
         throw PlacedError(place,

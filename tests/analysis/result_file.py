@@ -26,16 +26,18 @@ CASE = {
 
 
 def write_results(
-    path: Path, cases: list[dict], replays: dict[str, list[dict]] | None = None, states: list[dict] | None = None
-) -> None:
-    """Cases are CASE with the given values over it; replays are steps per case id (see dent()); states are rows
-    of /states. All cases have the columns of the first, and so have all states."""
+    path: Path, cases: list[dict], replays: dict[str, list[dict]] | None = None, states: list[dict] | None = None,
+    provenance: list[dict] | None = None,
+) -> None:  # fmt: skip
+    """Cases are CASE with the given values over it; replays are steps per case id (see dent()); states and provenance
+    are rows of these tables. All cases have the columns of the first, and so have all rows of the others."""
     with h5py.File(path, "w") as file:
         file.attrs.update(schema_version=2, complete=1, generator="test")
         for name in ("cases", "series", "states", "replay", "provenance"):
             file.create_group(name)
         write_table(file["cases"], [CASE | case for case in cases])
         write_table(file["states"], [{"state": row} | state for row, state in enumerate(states or [])])
+        write_table(file["provenance"], provenance or [])
         for case_id, steps in (replays or {}).items():
             write_replay(file, case_id, steps)
 

@@ -32,6 +32,14 @@ class Show(ProgramTest):
         self.assertEqual((row["cases"], row["failed"], row["nan"], row["units"]), ("5", "0", "0", "mm"))
         self.assertIn("3 (2–4)", self.output_of("show", self.file))
 
+    def test_rounding_is_shown_as_zero(self):
+        self.write(cases_of("a", 100, [8.6e-15, 9.1e-15]), cases_of("b", 100, [2e-11, 2e-11]))
+        shown = self.output_of("show", self.file, "--by", "label")
+        self.assertIn(" 0", self.row_of(shown, "a"))
+        self.assertNotIn("e-15", shown)
+        self.assertIn("2e-11", self.row_of(shown, "b"))
+        self.assertEqual(float(self.tidy("--by", "label")[0]["median"]), (8.6e-15 + 9.1e-15) / 2)
+
     def test_failures_are_counted_and_not_averaged(self):
         self.write(
             cases_of("a", 100, [1.0, 2.0]),

@@ -7,15 +7,12 @@ import pathlib
 import re
 import signal
 import subprocess
-import unittest
 
-try:
-    import h5py
-    import numpy as np
-except ImportError:
-    h5py = None
+import h5py
+import numpy as np
 
 from program_test import ProgramTest, run_tests
+from same_bits import bits
 
 PAGES = pathlib.Path(__file__).resolve().parents[2] / "experiments" / "metrics" / "pages"
 
@@ -84,7 +81,8 @@ class CommandLine(ProgramTest):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["snapshot"], ["check"], ["fuzzy"],
+        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["snapshot"], ["check"],
+                        ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
             text = self.expect_done(*command, "--help").stdout
             self.assertIn("Example:", text)
@@ -189,7 +187,6 @@ class CommandLine(ProgramTest):
         for words in (r"tool_volume_inside +mm³ +H, D +low", r"recovery +mm +end", r"time_cycle +ns +step +low"):
             self.assertRegex(text, words)
 
-    @unittest.skipIf(h5py is None, "needs python3-h5py")
     def test_states_are_compared_where_the_sweep_asks_for_it(self):
         self.sweep.write_text(SWEEP.replace("@10mm", "@5mm") + "[compare]\nsame_state = 2\n")
         self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1")
@@ -241,7 +238,6 @@ class CommandLine(ProgramTest):
 
     # Pictures of metrics
 
-    @unittest.skipIf(h5py is None, "the analysis needs its packages")
     def test_snapshot_draws_what_a_metric_counts(self):
         for name, beginning in (("x.png", b"\x89PNG"), ("x.svg", b"<?xml")):
             target = self.folder / name
@@ -273,7 +269,6 @@ class CommandLine(ProgramTest):
                     self.assertIn(f"(pictures/{name}.png)", own[0])
                     self.assertTrue((PAGES / "pictures" / f"{name}.png").exists())
 
-    @unittest.skipIf(h5py is None, "needs python3-h5py")
     def test_results_do_not_depend_on_the_number_of_jobs(self):
         other = self.folder / "other.h5"
         self.sweep.write_text(SWEEP + "[compare]\nsame_state = 2\n")
@@ -285,34 +280,35 @@ class CommandLine(ProgramTest):
         for name in one:
             self.assertEqual(one[name], two[name], name)
 
-    @unittest.skipIf(h5py is None, "needs python3-h5py")
     def test_show_passes_on_the_analysis_and_its_exit_code(self):
         self.expect_done("run", self.sweep, "-o", self.out)
         result = self.expect_done("show", self.out, "--by", "label,speed", "--metric", "depth_max_d_max", "--csv")
         self.assertIn("nearest-face", result.stdout)
         self.expect_refused("no_such_metric", "show", self.out, "--metric", "no_such_metric")
         self.expect_refused("none.h5", "show", self.folder / "none.h5")
+        self.assertIn("8 cases, no failures", self.expect_done("show", self.out, "--failures").stdout)
+        self.assertIn("8 cases, 1 program, 1 machine", self.expect_done("show", self.out, "--provenance").stdout)
+        self.expect_refused("excludes", "show", self.out, "--failures", "--by", "label")
 
-
-def bits(path):
-    """The bytes of every dataset that must be the same whenever the inputs and the program are."""
-    varying = ("wall_s", "attempts")
-    found = {}
-
-    def visit(name, item):
-        leaf = name.rpartition("/")[2]
-        if not isinstance(item, h5py.Dataset) or name.startswith("provenance/"):
-            return
-        if leaf.startswith("time_") or leaf in varying:
-            return
-        data = item[()]
-        text = data.dtype == object
-        found[name] = [bytes(one) for one in data] if text else np.asarray(data).tobytes()
-
-    with h5py.File(path) as file:
-        file.visititems(visit)
-        found["attributes"] = {key: str(value) for key, value in file.attrs.items() if key != "created_utc"}
-    return found
+    def test_compare_is_a_gate(self):
+        after = self.folder / "after.h5"
+        self.expect_done("run", self.sweep, "-o", self.out)
+        after.write_bytes(self.out.read_bytes())
+        gate = ("compare", self.out, after, "--fail-on", "gap_mean_d_mean > +5%", "--fail-on", "outcomes")
+        text = self.expect_done(*gate).stdout
+        self.assertIn("8 cases in both", text)
+        self.assertIn("equal", text)
+        with h5py.File(after, "a") as file:
+            file["cases/gap_mean_d_mean"][...] *= 1.1
+        result = self.run_program(*gate)
+        self.assertEqual(result.returncode, 1, result.stderr)
+        self.assertIn("fails on gap_mean_d_mean > +5%: gap_mean_d_mean, label nearest-face: +10 %", result.stderr)
+        with h5py.File(after, "a") as file:
+            file["cases/gap_mean_d_mean"][...] = np.nan
+        self.expect_refused("cannot evaluate gap_mean_d_mean", *gate)
+        self.expect_refused("expected outcomes, or a figure", *gate[:3], "--fail-on", "gap_mean_d_mean")
+        self.sweep.write_text("no result")
+        self.expect_refused("sweep.toml", "compare", self.out, self.sweep)
 
 
 if __name__ == "__main__":

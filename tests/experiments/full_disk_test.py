@@ -6,12 +6,8 @@
 import os
 import shutil
 import subprocess
-import unittest
 
-try:
-    import h5py
-except ImportError:
-    h5py = None
+import h5py
 
 from program_test import ProgramTest, run_tests
 
@@ -25,7 +21,6 @@ seeds = 5
 """
 
 
-@unittest.skipIf(h5py is None, "needs python3-h5py")
 class FullDisk(ProgramTest):
     def setUp(self):
         super().setUp()

@@ -5,12 +5,8 @@
 
 import os
 import shutil
-import unittest
 
-try:
-    import h5py
-except ImportError:
-    h5py = None
+import h5py
 
 from program_test import ProgramTest, run_tests
 
@@ -30,7 +26,6 @@ def text(values):
     return [value.decode() if isinstance(value, bytes) else value for value in values]
 
 
-@unittest.skipIf(h5py is None, "needs python3-h5py")
 class MergeCommand(ProgramTest):
     def setUp(self):
         super().setUp()

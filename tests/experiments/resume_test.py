@@ -6,12 +6,8 @@
 import os
 import signal
 import subprocess
-import unittest
 
-try:
-    import h5py
-except ImportError:
-    h5py = None
+import h5py
 
 from program_test import ProgramTest, run_tests
 
@@ -25,7 +21,6 @@ seeds = 2
 """
 
 
-@unittest.skipIf(h5py is None, "needs python3-h5py")
 class Resume(ProgramTest):
     def setUp(self):
         super().setUp()

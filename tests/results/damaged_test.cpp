@@ -69,7 +69,8 @@ TEST_F(DamagedTest, MemoryWithoutEndIsRefused) {
 TEST_F(DamagedTest, AReaderThatDoesNotEndIsEnded) {
     const auto forever = [] {
         const volatile bool going_on = true;
-        while (going_on) {}
+        while (going_on) {
+        }
     };
     EXPECT_THAT(error_after(forever),
                 HasSubstr("b2.h5: is damaged: reading it takes longer than its size explains"));
@@ -149,7 +150,10 @@ TEST_F(DamagedTest, WhatAKilledProcessLeftIsRemoved) {
     write_bytes(std::string("all.h5.tmp.") + host.data() + ".123", "half");
     write_bytes("all.h5.tmp.elsewhere.123", "half");
     write_bytes("all.h5", "whole");
-    remove_abandoned(path("all.h5"));
+    write_bytes(std::string("a1.h5.tmp.") + host.data() + ".9", "half");
+    remove_abandoned(path(""), "all.h5");
+    EXPECT_EQ(files().size(), 3U) << "all.h5, another machine's, another file's";
+    remove_abandoned(path(""), "");
     EXPECT_THAT(files(), ElementsAre("all.h5", "all.h5.tmp.elsewhere.123"));
 }
 

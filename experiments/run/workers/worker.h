@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace trocar {
+
+/// Tasks, by their numbers, that a worker does one after the other.
+struct Batch {
+    std::uint64_t begin = 0, end = 0;
+    std::uint64_t attempt = 1;  ///< how often its first task has been started, this time included
+    [[nodiscard]] bool empty() const { return begin == end; }
+};
+
+/// Reports that a task is done, with a text for the supervisor.
+using ReportDone = std::function<void(const std::string&)>;
+
+/// How a process came to its end.
+struct Ending {
+    std::string text;     ///< "signal 11 (Segmentation fault)", or "exit code 1"
+    bool killed = false;  ///< by signal 9, which no process sends itself by accident
+};
+
+/// Does the tasks of a batch in their order, and reports after each.
+using DoBatch = std::function<void(const Batch&, const ReportDone&)>;
+
+/// What a worker has to say.
+struct WorkerMessage {
+    bool is_error = false;  ///< it could not go on, and ends
+    std::string text;       ///< of a task, or why
+};
+
+/// A child process that is given batches. It is a copy of this process at the moment it is made, so it knows
+/// all that was loaded by then. It dies with this process.
+class Worker {
+  public:
+    /// Forks. Throws std::system_error.
+    explicit Worker(const DoBatch& work);
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+    /// Kills it if it is still there.
+    ~Worker();
+
+    /// Gives it a batch; it must have done the one before.
+    void give(const Batch& batch);
+
+    /// Readable when there is a message, or the worker has ended.
+    [[nodiscard]] int descriptor() const { return line_; }
+    [[nodiscard]] pid_t process() const { return process_; }
+
+    /// The messages that are there; does not wait.
+    std::vector<WorkerMessage> messages();
+
+    /// Whether, as far as messages() has seen, it is at its end.
+    [[nodiscard]] bool closed() const { return closed_; }
+    /// Kills it if it is still there, waits for its end and says how it ended.
+    Ending end();
+
+  private:
+    pid_t process_ = -1;
+    int line_ = -1;  // a socket; the other end is the child's
+    bool closed_ = false;
+    std::string received_;  // what came of the next message
+};
+
+}  // namespace trocar
