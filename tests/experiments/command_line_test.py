@@ -288,7 +288,6 @@ class CommandLine(ProgramTest):
         self.assertIn("8 cases, 1 program, 1 machine", self.expect_done("show", self.out, "--provenance").stdout)
         self.expect_refused("excludes", "show", self.out, "--failures", "--by", "label")
 
-    @unittest.skipIf(h5py is None, "needs python3-h5py")
     def test_compare_is_a_gate(self):
         after = self.folder / "after.h5"
         self.expect_done("run", self.sweep, "-o", self.out)
