@@ -9,6 +9,7 @@ import signal
 import subprocess
 
 import h5py
+import numpy as np
 
 from program_test import ProgramTest, run_tests
 from same_bits import bits
