@@ -40,7 +40,7 @@ constexpr bool memory_is_limited = true;
 enum class Kind : char { reading = 'f', result = 'r', refused = 'e', failed = 'x' };
 
 struct MessageHead {
-    Kind kind{};
+    Kind kind = Kind::failed;
     std::uint64_t length = 0;
 };
 
@@ -100,7 +100,8 @@ rlim_t size_of(std::span<const std::filesystem::path> files) {
     if (memory_is_limited) {
         limit(RLIMIT_AS, reserved_memory() + base_memory + memory_per_byte * size);
         const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);  // NOLINT(*-vararg)
-        dup2(nowhere, STDERR_FILENO);  // what the C library says of a heap that was written over
+        if (nowhere >= 0)
+            dup2(nowhere, STDERR_FILENO);  // what the C library says of a heap that was written over
     }
     try {
         send(Kind::result, read());

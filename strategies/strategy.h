@@ -30,8 +30,8 @@ struct Description {
 /// A collision-handling strategy: given what detection found in a step, says where organ vertices go.
 ///
 /// One instance serves one run of one case and is called once a step, also when nothing collided. It may keep
-/// scratch memory, but no state between calls unless its description says so. One that keeps none may be asked
-/// again within a step, for a metric, with an organ whose rings begin elsewhere. It uses no globals, no
+/// scratch memory, but no state between calls unless its description says so. One that keeps none may be
+/// asked again within a step, for a metric, with an organ whose rings begin elsewhere. It uses no globals, no
 /// randomness and no I/O, so that instances run on several threads at once.
 class Strategy {
   public:

@@ -27,7 +27,8 @@ std::vector<CaseInputs> spread_out(std::vector<CaseInputs> cases, const std::str
 
 std::deque<Batch> batches_of(std::span<const CaseInputs> cases, unsigned workers) {
     // Four batches for each worker keep all of them busy until near the end.
-    const std::size_t longest = std::max<std::size_t>(1, cases.size() / (4 * std::max(workers, 1U)));
+    const std::size_t longest =
+        std::max<std::size_t>(1, cases.size() / (std::size_t{4} * std::max(workers, 1U)));
     std::deque<Batch> batches;
     for (std::size_t begin = 0; begin < cases.size();) {
         std::size_t end = begin + 1;

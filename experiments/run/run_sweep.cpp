@@ -185,7 +185,8 @@ class PendingRun {
             const std::string start = now_utc();
             const auto strategy = request_.make(inputs.strategy);
             const std::uint64_t attempt = task == batch.begin ? batch.attempt : 1;
-            report(store(task, *run_case(inputs, scene_of, *strategy, options_[task], {}), attempt, start));
+            report(store(task, run_case(inputs, scene_of, *strategy, options_[task], {}).value(), attempt,
+                         start));
         }
     }
 
