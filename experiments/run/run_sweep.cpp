@@ -185,8 +185,9 @@ class PendingRun {
             const std::string start = now_utc();
             const auto strategy = request_.make(inputs.strategy);
             const std::uint64_t attempt = task == batch.begin ? batch.attempt : 1;
-            report(store(task, run_case(inputs, scene_of, *strategy, options_[task], {}).value(), attempt,
-                         start));
+            std::optional<CaseRecord> record = run_case(inputs, scene_of, *strategy, options_[task], {});
+            if (!record) return;  // it was asked to stop, which nobody does here
+            report(store(task, std::move(*record), attempt, start));
         }
     }
 

@@ -13,7 +13,7 @@
 #include "results/store.h"
 #include "sweep_folder.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef __SANITIZE_ADDRESS__
 constexpr bool address_sanitizer = true;
 #else
 constexpr bool address_sanitizer = false;
@@ -47,7 +47,7 @@ class Misbehaving : public Strategy {
 /// Two strategies on two seeds; "nearest-face" misbehaves on both.
 class Contained : public testing::Test {
   protected:
-    [[nodiscard]] RunRequest request(std::function<void(const Contact&, Response&)> misbehave) const {
+    [[nodiscard]] RunRequest request(const std::function<void(const Contact&, Response&)>& misbehave) const {
         const Sweep sweep = folder_.read(R"(
             name = "contained"
             strategies = ["nearest-face", "cylinder-axis"]

@@ -41,7 +41,7 @@ class DamagedTest : public StoreTest {
 };
 
 TEST_F(DamagedTest, WhatTheChildReturnsComesBack) {
-    const std::string long_text(3'000'000, 'x');
+    std::string long_text(3'000'000, 'x');
     EXPECT_EQ(supervised({}, [&] { return long_text; }), long_text);
 }
 
