@@ -57,7 +57,8 @@ class DamagedFiles(ProgramTest):
                 refused += 1
                 self.assertIn("bad.h5", result.stderr, number)
         self.assertGreater(refused, count // 8)
-        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 1_000_000)  # kB
+        if "TROCAR_SANITIZED" not in os.environ:  # sanitizers have memory of their own
+            self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, 1_000_000)  # kB
 
     def test_merge(self):
         out = self.folder / "out.h5"
