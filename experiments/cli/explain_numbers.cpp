@@ -15,19 +15,25 @@
 namespace trocar {
 namespace {
 
-/// The unit vector along what "x,y,z" says.
-Vec3 unit_vector(const std::string& text, const char* option) {
-    Vec3 vector = Vec3::Zero();
+/// The numbers between the commas; empty where one of them is no finite number.
+std::vector<double> numbers_of(const std::string& text) {
+    std::vector<double> numbers;
     std::istringstream parts(text);
-    int count = 0;
-    for (std::string part; std::getline(parts, part, ','); ++count) {
+    for (std::string part; std::getline(parts, part, ',');) {
         double number = 0;
         const char* const end = part.data() + part.size();
         const auto [stopped, error] = std::from_chars(part.data(), end, number);
-        if (error != std::errc() || stopped != end || !std::isfinite(number) || count > 2) count = 3;
-        if (count < 3) vector[count] = number;
+        if (error != std::errc() || stopped != end || !std::isfinite(number)) return {};
+        numbers.push_back(number);
     }
-    if (count != 3 || vector.isZero(0)) {
+    return numbers;
+}
+
+/// The unit vector along what "x,y,z" says.
+Vec3 unit_vector(const std::string& text, const char* option) {
+    const std::vector<double> numbers = numbers_of(text);
+    const Vec3 vector = numbers.size() == 3 ? Vec3(numbers[0], numbers[1], numbers[2]) : Vec3(Vec3::Zero());
+    if (vector.isZero(0)) {
         throw InputError(fmt::format("{} {}: expected a direction x,y,z, such as 0,0,-1", option, text));
     }
     return vector.stableNormalized();

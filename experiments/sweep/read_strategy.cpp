@@ -5,10 +5,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "experiments/input_error.h"
 #include "experiments/sweep/cases.h"
 #include "experiments/sweep/entries.h"
-#include "experiments/sweep/hash.h"
+#include "experiments/sweep/option_file.h"
 #include "strategies/registry.h"
 
 namespace trocar {
@@ -41,13 +40,7 @@ std::string contents_of(const OptionSpec& option, const ConfigValue& value, cons
                                       "the sweep file",
                                       option.name, fmt::join(option.choices, " nor "), file.string()));
     }
-    std::string contents = read_bytes(file);
-    try {
-        option.check_contents(contents);
-    } catch (const ContentsError& error) {
-        throw InputError(fmt::format("{}:{}: {}", file.string(), error.line, error.what()));
-    }
-    return contents;
+    return read_option_file(option, file);
 }
 
 /// The entry's value; where it names a file whose contents the option takes, the contents.

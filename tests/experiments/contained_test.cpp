@@ -12,12 +12,7 @@
 #include "experiments/sweep/hash.h"
 #include "results/store.h"
 #include "sweep_folder.h"
-
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool address_sanitizer = true;
-#else
-constexpr bool address_sanitizer = false;
-#endif
+#include "tests/address_sanitizer.h"
 
 namespace trocar {
 namespace {
@@ -26,6 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
 using testing::UnorderedElementsAre;
+using testing_support::address_sanitizer;
 
 /// Handles as nearest-face does, but misbehaves in the first step that has contact.
 class Misbehaving : public Strategy {

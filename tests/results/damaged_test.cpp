@@ -11,14 +11,8 @@
 #include "results/pending_file.h"
 #include "results/supervised.h"
 #include "results/xdmf.h"
+#include "tests/address_sanitizer.h"
 #include "tests/results/sample.h"
-
-// It has memory of its own, and no limit can be set.
-#ifdef __SANITIZE_ADDRESS__
-constexpr bool address_sanitizer = true;
-#else
-constexpr bool address_sanitizer = false;
-#endif
 
 namespace trocar {
 namespace {
@@ -26,6 +20,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing_support::address_sanitizer;
 
 class DamagedTest : public StoreTest {
   protected:
