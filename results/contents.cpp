@@ -1,3 +1,4 @@
+#include <array>
 #include <charconv>
 
 #include <fmt/format.h>
@@ -8,6 +9,10 @@
 
 namespace trocar {
 namespace {
+
+constexpr std::array case_columns{"case_id",  "build_id",     "status",        "metrics",
+                                  "attempts", "sweep_number", "provenance_row"};
+constexpr std::array provenance_columns{"end", "host", "cpu"};
 
 /// A text of each row of a table, empty where not every file has the column.
 Texts texts_if_there(const Table& table, const std::string& name, hid_t group) {
@@ -21,7 +26,7 @@ WholeNumbers numbers_if_there(const Table& table, const std::string& name, hid_t
 /// Adds to each case what its row of /provenance says.
 void add_provenance(hid_t file, const WholeNumbers& rows, std::vector<Contents::Case>& cases) {
     const hdf5::Group group = hdf5::open_group(file, provenance_group);
-    const Table provenance = read_table(group.id());
+    const Table provenance = read_table(group.id(), provenance_columns);
     const Texts ends = texts_if_there(provenance, "end", group.id());
     const Texts hosts = texts_if_there(provenance, "host", group.id());
     const Texts processors = texts_if_there(provenance, "cpu", group.id());
@@ -38,7 +43,7 @@ Contents read_here(const std::filesystem::path& file) {
     CampaignFile campaign = open_campaign(file);
     const hdf5::Group group = hdf5::open_group(campaign.file.id(), cases_group);
     const hdf5::Group replays = hdf5::open_group(campaign.file.id(), replay_group);
-    const Table cases = read_table(group.id());
+    const Table cases = read_table(group.id(), case_columns);
     const Texts& case_ids = texts(cases, "case_id", group.id());
     const Texts& build_ids = texts(cases, "build_id", group.id());
     const Texts& status = texts(cases, "status", group.id());

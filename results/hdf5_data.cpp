@@ -11,6 +11,9 @@ constexpr auto cannot_write = "cannot write";
 constexpr auto cannot_read = "cannot read";
 constexpr unsigned deflate_level = 4;
 constexpr hsize_t chunk_bytes = 1U << 19U;
+// Up to this size data lie in the dataset's own header: an index of chunks would take more room than
+// compression saves, and most of the time that it takes to write, read or copy the dataset.
+constexpr hsize_t compact_bytes = 2048;
 
 Dataspace scalar_space(hid_t near) {
     return Dataspace(checked(H5Screate(H5S_SCALAR), near, "", "cannot make a dataspace"));
@@ -51,6 +54,12 @@ void set_storage(hid_t near, const PropertyList& list, const Shape& shape, std::
     set(H5Pset_obj_track_times(list.id(), false));
     if (std::ranges::find(shape, 0U) != shape.end()) return;  // nothing to store, and no chunk is empty
 
+    const hsize_t all_bytes =
+        std::accumulate(shape.begin(), shape.end(), hsize_t{value_bytes}, std::multiplies{});
+    if (rows_per_chunk == 0 && all_bytes <= compact_bytes) {
+        set(H5Pset_layout(list.id(), H5D_COMPACT));
+        return;
+    }
     Shape chunk = shape;
     const hsize_t row_bytes =
         std::accumulate(shape.begin() + 1, shape.end(), hsize_t{value_bytes}, std::multiplies{});

@@ -54,7 +54,8 @@ std::string read_text_attribute(hid_t object, const std::string& name);
 std::int64_t read_number_attribute(hid_t object, const std::string& name);
 /// @}
 
-/// An empty dataset, compressed in chunks of `rows_per_chunk` rows (0: of half a million bytes at most).
+/// An empty dataset, compressed in chunks of `rows_per_chunk` rows (0: of half a million bytes at most, and
+/// a small one not chunked at all).
 Dataset create_dataset(hid_t group, const Label& label, hid_t stored_type, const Shape& shape,
                        hsize_t rows_per_chunk = 0);
 

@@ -27,7 +27,7 @@ std::string host_name() {
 
 /// Makes what was written to a file, or the names in a folder, survive a power failure.
 void sync(const std::filesystem::path& path) {
-    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(*-vararg)
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(*-vararg): POSIX open
     if (descriptor < 0) fail(path, "cannot open it to bring it to the disk", errno);
     const int error = fsync(descriptor) == 0 ? 0 : errno;
     close(descriptor);

@@ -99,7 +99,7 @@ rlim_t size_of(std::span<const std::filesystem::path> files) {
     limit(RLIMIT_CPU, base_seconds + size / bytes_per_second);
     if (memory_is_limited) {
         limit(RLIMIT_AS, reserved_memory() + base_memory + memory_per_byte * size);
-        const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);  // NOLINT(*-vararg)
+        const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);  // NOLINT(*-vararg): POSIX open
         if (nowhere >= 0)
             dup2(nowhere, STDERR_FILENO);  // what the C library says of a heap that was written over
     }

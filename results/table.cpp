@@ -38,6 +38,16 @@ void write_column(hid_t group, const Column& column) {
     }
 }
 
+void add_column(Table& table, hid_t group, const std::string& name) {
+    const Column& column = table.columns.emplace_back(read_column(group, name));
+    if (table.columns.size() == 1) table.rows = length(column);
+    if (length(column) != table.rows) {
+        hdf5::refuse(group, name,
+                     fmt::format("expected {} rows as in {}, found {}", table.rows,
+                                 table.columns.front().label.name, length(column)));
+    }
+}
+
 template <class Values>
 const Values& values_of(const Table& table, const std::string& name, hid_t group, const char* expected) {
     const Column* column = table.find(name);
@@ -104,14 +114,14 @@ Column read_column(hid_t group, const std::string& name) {
 
 Table read_table(hid_t group) {
     Table table;
-    for (const std::string& name : hdf5::member_names(group)) {
-        table.columns.push_back(read_column(group, name));
-        if (table.columns.size() == 1) table.rows = length(table.columns.back());
-        if (length(table.columns.back()) != table.rows) {
-            hdf5::refuse(group, name,
-                         fmt::format("expected {} rows as in {}, found {}", table.rows,
-                                     table.columns.front().label.name, length(table.columns.back())));
-        }
+    for (const std::string& name : hdf5::member_names(group)) add_column(table, group, name);
+    return table;
+}
+
+Table read_table(hid_t group, std::span<const char* const> names) {
+    Table table;
+    for (const char* name : names) {
+        if (hdf5::exists(group, name)) add_column(table, group, name);
     }
     return table;
 }

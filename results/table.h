@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -44,8 +45,12 @@ void write_table(hid_t group, const Table& table);
 /// Reads one dataset of the group.
 Column read_column(hid_t group, const std::string& name);
 
+/// @{
 /// Throws StoreError when the group holds anything but columns of one length.
 Table read_table(hid_t group);
+/// Only those of these columns that are there.
+Table read_table(hid_t group, std::span<const char* const> names);
+/// @}
 
 /// @{
 /// The texts, or whole numbers, of a column that has to be there. `group` is where the table was read, for

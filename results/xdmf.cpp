@@ -1,5 +1,6 @@
 #include "results/xdmf.h"
 
+#include <array>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -125,7 +126,8 @@ Figures read_time(hid_t file, const std::string& case_id, hsize_t steps) {
 void write_domain(std::ostream& out, hid_t file, const std::string& file_name) {
     const hdf5::Group cases_at = hdf5::open_group(file, cases_group);
     const hdf5::Group replays = hdf5::open_group(file, replay_group);
-    const Table cases = read_table(cases_at.id());
+    constexpr std::array shown{"case_id", "strategy"};
+    const Table cases = read_table(cases_at.id(), shown);
     const Texts& ids = texts(cases, "case_id", cases_at.id());
     const Column* strategy = cases.find("strategy");
     const Texts* strategies = strategy == nullptr ? nullptr : std::get_if<Texts>(&strategy->values);

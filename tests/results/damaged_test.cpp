@@ -95,8 +95,10 @@ TEST_F(DamagedTest, RowsThatNoStoredBytesExplainAreRefused) {
         const hdf5::Group cases = hdf5::open_group(open.id(), "cases");
         hdf5::create_dataset(cases.id(), {"odd", "1", "odd"}, H5T_IEEE_F64LE, {9'000'000});
     }
-    EXPECT_THAT(error_of([&] { read_contents(file); }),
-                HasSubstr("a1.h5: /cases/odd: claims 9000000 rows, but only 0 bytes are stored"));
+    const std::vector<Part> parts{{.file = file, .case_ids = {}}};
+    EXPECT_THAT(
+        error_of([&] { merge(path("all.h5"), sample_header(), parts, std::vector<std::string>{"a1"}); }),
+        HasSubstr("a1.h5: /cases/odd: claims 9000000 rows, but only 0 bytes are stored"));
 }
 
 /// Byte flips, runs of one byte, and truncations; the same for the same seed.
