@@ -53,7 +53,7 @@ def complaints(case, answers):
     for name, answer in answers.items():
         if name in series:
             wrong += compare_series(name, series[name], answer)
-            if name.startswith("tool_volume_inside"):
+            if name.startswith("tool_volume"):
                 wrong += compare_sums(name, series[name], answer)
         elif not ALLOW_MISSING:
             wrong.append(f"{name}: not in the file")

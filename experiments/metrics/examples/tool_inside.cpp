@@ -1,5 +1,9 @@
 // Tools inside closed organs that have no vertex inside the tool.
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include <Eigen/Geometry>
 
 #include "common/geometry/organ_shapes.h"
@@ -65,6 +69,28 @@ Example tool_volume_inside() {
                        .positions = example.handled,
                        .tool = example.end,
                        .marks = {.segments = box_edges({2.5, -1.5, -4}, {5.5, 1.5, 7})}}};
+    return example;
+}
+
+Example tool_volume_at_rest() {
+    Example example =
+        still_step("tool_volume_at_rest", Moment::before,
+                   make_organ("block", box({-10, -10, -7}, {10, 10, 7})), bar(3, 3, 20), tip_at(4, 0, -4));
+    for (Vec3& corner : example.before) corner.z() = std::min(corner.z(), -5.0);
+    example.handled = example.before;
+    example.deformed = example.before;
+    example.expected = 3 * 3 * 11;
+    example.caption =
+        "The organ has been pressed flat: none of the tool is inside it. If it were at rest (the outline), "
+        "11 mm of "
+        "the tool would be, of 3 mm by 3 mm.";
+    example.eye = {.towards = {0.7, -1, 0.5}, .centre = {0, 0, 4}, .width = 30, .height = 27, .cut = true};
+    Marks outline{.segments = box_edges({-10, -10, -7}, {10, 10, 7})};
+    std::ranges::copy(box_edges({2.5, -1.5, -4}, {5.5, 1.5, 7}), std::back_inserter(outline.segments));
+    example.panels = {{.title = "before handling",
+                       .positions = example.before,
+                       .tool = example.end,
+                       .marks = std::move(outline)}};
     return example;
 }
 

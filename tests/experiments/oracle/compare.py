@@ -9,7 +9,7 @@ import numpy as np
 
 # Of a metric's steps in a case, those that the oracle may leave open because rounding decides whether a vertex counts.
 OPEN_STEPS = 0.05
-SAMPLED = ("tool_volume_inside_h", "tool_volume_inside_d", "recovery")  # answered at some steps only, by design
+SAMPLED = ("tool_volume_inside_h", "tool_volume_inside_d", "tool_volume_at_rest", "recovery")  # answered at some steps only, by design
 # The strategy's own count, what it would have answered to rings that begin elsewhere, and clocks: a replay tells what a
 # strategy did, and there is no strategy here to be asked again.
 NOT_IN_REPLAY = ("fallbacks", "order_spread", "time")

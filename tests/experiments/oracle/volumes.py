@@ -107,6 +107,12 @@ def judge_volumes(case, answers, generator):
     sampler = Sampler(case, generator)
     chosen = volume_steps(case)
     for step in range(case.steps):
+        rest = answers["tool_volume_at_rest"]
+        if not case.closed and not case.heightfield:
+            rest.set_missing(step)
+        elif step in chosen:
+            volume, tolerance = sampler.volume_inside(sampler.organ(case.rest, case.poses[step]))
+            rest.set_value(step, volume, tolerance + allowed(volume))
         for moment, positions in (("_h", case.handled[step]), ("_d", case.deformed[step])):
             if not case.closed and not case.heightfield:
                 for name in names:

@@ -1,0 +1,1 @@
+"""The paper's claims (experiments/claims.toml), judged on a result file."""

@@ -1,0 +1,127 @@
+"""Reads experiments/claims.toml, which says what its keys mean, and checks it."""
+
+from __future__ import annotations
+
+import itertools
+import tomllib
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from ..errors import InputError, unknown
+
+RELATIONS = ("<", ">", "<=", ">=")
+DATA = ("runs", "answers", "turns")
+
+Where = dict[str, tuple]  # column → the values that rows may have in it
+
+
+@dataclass(frozen=True)
+class Condition:
+    """One figure of one group of cases, on its own or against that of another group."""
+
+    data: str
+    figure: tuple[str, ...]  # columns, summed
+    per: tuple[str, ...]  # columns, summed; none: the figure itself
+    of: Where
+    than: Where  # empty: the figure is compared with `limit`
+    relation: str  # "" when the figure is described only
+    limit: float = 0
+    times: float = 1
+    each: dict[str, object] = field(default_factory=dict)  # what distinguishes it from others written with it
+
+    @property
+    def asks_for_more(self) -> bool:
+        """Whether it holds where the figure is large."""
+        return self.relation.startswith(">")
+
+
+@dataclass(frozen=True)
+class Claim:
+    id: str
+    place: str
+    says: str
+    conditions: tuple[Condition, ...]
+    pending: str  # why it cannot be judged yet; "" when it can
+
+
+CLAIM_KEYS = {"id", "place", "says", "sweeps", "data", "where", "condition", "pending"}
+CONDITION_KEYS = {"figure", "per", "where", "each", "of", "than", "is", "limit", "times", "data"}
+
+
+def read_claims(path: str) -> list[Claim]:
+    try:
+        content = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror}; expected the file of claims") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: is no TOML file: {error}") from error
+    claims = content.get("claim")
+    if not isinstance(claims, list) or not claims:
+        raise InputError(f"{path}: has no [[claim]]")
+    try:
+        read = [read_claim(claim) for claim in claims]
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
+    ids = [claim.id for claim in read]
+    if twice := next((one for one in ids if ids.count(one) > 1), None):
+        raise InputError(f"{path}: has claim {twice} twice")
+    return read
+
+
+def choose_claims(claims: list[Claim], ids: list[str] | None) -> list[Claim]:
+    for one in ids or []:
+        if one not in {claim.id for claim in claims}:
+            raise unknown("claim", one, [claim.id for claim in claims])
+    return [claim for claim in claims if not ids or claim.id in ids]
+
+
+def read_claim(table: dict) -> Claim:
+    name = f"claim {table.get('id', 'without id')}"
+    check_keys(name, table, CLAIM_KEYS)
+    for key in ("id", "place", "says"):
+        if not isinstance(table.get(key), str):
+            raise InputError(f"{name}: expected a text as its {key}")
+    conditions = [one for entry in table.get("condition", []) for one in read_condition(name, table, entry)]
+    if not conditions and "pending" not in table:
+        raise InputError(f"{name}: has neither conditions nor the reason why it is pending")
+    return Claim(table["id"], table["place"], table["says"], tuple(conditions), table.get("pending", ""))
+
+
+def read_condition(name: str, claim: dict, entry: dict) -> list[Condition]:
+    """A condition for each value, or pair of values, of its `each`."""
+    check_keys(f"a condition of {name}", entry, CONDITION_KEYS)
+    data, relation = entry.get("data", claim.get("data")), entry.get("is", "")
+    if data not in DATA:
+        raise InputError(f"{name}: data is \"{data}\"; expected {' or '.join(DATA)}")
+    if relation and relation not in RELATIONS:
+        raise InputError(f"{name}: is \"{relation}\"; expected one of {' '.join(RELATIONS)}")
+    if relation and ("limit" in entry) == ("than" in entry):
+        raise InputError(f"{name}: a condition with `is` needs either limit or than")
+    if not entry.get("figure"):
+        raise InputError(f"{name}: a condition has no figure")
+    shared = claim.get("where", {}) | entry.get("where", {})
+    each = {key: as_tuple(values) for key, values in entry.get("each", {}).items()}
+    conditions = []
+    for values in itertools.product(*each.values()):
+        chosen = dict(zip(each, values))
+        common = shared | chosen
+        conditions.append(Condition(
+            data, as_tuple(entry["figure"]), as_tuple(entry.get("per", ())),
+            where(common | entry.get("of", {})), where(common | entry["than"]) if "than" in entry else {},
+            relation, float(entry.get("limit", 0)), float(entry.get("times", 1)), chosen,
+        ))  # fmt: skip
+    return conditions
+
+
+def where(table: dict) -> Where:
+    return {column: as_tuple(values) for column, values in table.items()}
+
+
+def as_tuple(value: object) -> tuple:
+    return tuple(value) if isinstance(value, (list, tuple)) else (value,)
+
+
+def check_keys(what: str, table: dict, known: set[str]) -> None:
+    for key in table:
+        if key not in known:
+            raise InputError(f"{what}: {unknown('key', key, known)}")

@@ -1,0 +1,76 @@
+"""`trocar reproduce`, once its cases are run: every claim judged and told."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+
+from ..effects import holm
+from .claim_data import read_sources
+from .claim_file import choose_claims, read_claims
+from .claim_table import Answer, render
+from .verdicts import Verdict, judge_claim
+
+RELEASES = ("contact", "step")
+
+
+def reproduce(
+    claims_path: str, path: str, turns_path: str | None, ids: list[str] | None, better: dict[str, str], style: str
+) -> str:
+    """The claims judged on a result file, as text, "markdown", or "json"."""
+    claims = choose_claims(read_claims(claims_path), ids)
+    sources = read_sources(path, turns_path, better)
+    answers = [
+        Answer(
+            claim,
+            {release: corrected(judge_claim(claim, sources, release, False)) for release in RELEASES},
+            {release: corrected(judge_claim(claim, sources, release, True)) for release in RELEASES},
+        )
+        for claim in claims
+    ]
+    if style == "json":
+        return json.dumps([as_json(answer) for answer in answers], indent=1, ensure_ascii=False) + "\n"
+    return render(answers, sources.units, style)
+
+
+def corrected(verdict: Verdict) -> Verdict:
+    """With Holm's correction of p within the claim."""
+    compared = [place for place, one in enumerate(verdict.judged) if np.isfinite(one.p)]
+    if not compared:
+        return verdict
+    adjusted = holm(np.array([verdict.judged[place].p for place in compared]))
+    judged = list(verdict.judged)
+    for place, p in zip(compared, adjusted):
+        judged[place] = replace(judged[place], p=float(p))
+    return replace(verdict, judged=judged)
+
+
+def as_json(answer: Answer) -> dict:
+    """Numbers as they are; what is infinite or none as a text."""
+    return {
+        "id": answer.claim.id,
+        "says": answer.claim.says,
+        "verdicts": {release: verdict_json(one) for release, one in answer.verdicts.items()},
+        "confirmation": {release: verdict_json(one) for release, one in answer.confirmation.items()},
+    }
+
+
+def verdict_json(verdict: Verdict) -> dict:
+    numbers = ("of", "than", "median", "low", "high", "p")
+    return {
+        "verdict": verdict.word,
+        "conditions": [
+            {
+                "figure": one.condition.figure, "per": one.condition.per, "of": one.condition.of, "than": one.condition.than,
+                "is": one.condition.relation, "limit": one.condition.limit, "times": one.condition.times,
+                "n": one.pairs, "failed": one.failed, "lacking": one.lacking, "singly": one.single, "holds": one.holds,
+            } | {name: finite(getattr(one, name)) for name in numbers}
+            for one in verdict.judged
+        ],
+    }  # fmt: skip
+
+
+def finite(value: float) -> float | str:
+    return value if np.isfinite(value) else str(value)
