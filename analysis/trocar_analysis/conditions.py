@@ -7,8 +7,9 @@ on which side of 0 that is.
 | a ≥ factor · b | excess(a, b, factor) |
 | a ≤ threshold | excess(a, threshold) |
 
-`a` and `b` are paired. The values are differences, since a ratio does not exist where b is 0. Nothing is lost by it: where
-every b is positive, their interval is above 0 (below, across) just where that of the ratios a / b is above `factor`."""
+`a` and `b` are paired. The values are differences, since a ratio does not exist where b is 0. Nothing is lost by it:
+where every b is positive, their interval is above 0 (below, across) just where that of the ratios a / b is above
+`factor`."""
 
 from __future__ import annotations
 

@@ -29,8 +29,8 @@ BAR_WIDTH = 3.6  # points
 
 
 def draw_critical_difference(ranks: Ranks, title: str, files: list[str]) -> None:
-    """Writes the diagram into each of the files, .svg or .png. InputError where one cannot be written, or where there is
-    nothing to draw."""
+    """Writes the diagram into each of the files, .svg or .png. InputError where one cannot be written, or where there
+    is nothing to draw."""
     with context([palette.STYLE, {"svg.fonttype": "none"}]):  # text that a reader can search and copy
         figure = compose(ranks, title)
         for file in files:

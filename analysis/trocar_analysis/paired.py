@@ -101,10 +101,11 @@ def ends(lower: np.ndarray, upper: np.ndarray, tail: float) -> tuple[float, floa
 
 
 def tail_beyond(organs: np.ndarray, seeds: np.ndarray) -> float:
-    """The part of the resamples beyond either end of the interval: (1 - LEVEL) / 2 where seeds are many, less where they
-    are few, since their spread is itself a guess. That is the expanded percentile interval (Hesterberg 2015): as far out
-    among the resamples as Student's t is on a normal distribution. The degrees of freedom are the seeds less the organs; a
-    seed that is alone on its organ adds none. The factor sqrt(m / (m - 1)) of that method is already in the weights."""
+    """The part of the resamples beyond either end of the interval: (1 - LEVEL) / 2 where seeds are many, less where
+    they are few, since their spread is itself a guess. That is the expanded percentile interval (Hesterberg 2015): as
+    far out among the resamples as Student's t is on a normal distribution. The degrees of freedom are the seeds less
+    the organs; a seed that is alone on its organ adds none. The factor sqrt(m / (m - 1)) of that method is already in
+    the weights."""
     units, _ = seeds_on_organs(organs, seeds)
     _, seeds_of_organ = np.unique(units[0], return_counts=True)
     return float(norm.sf(t.isf((1 - LEVEL) / 2, (seeds_of_organ - 1).sum())))

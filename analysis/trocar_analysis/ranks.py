@@ -1,9 +1,9 @@
 """Ranks of several strategies under equal conditions, and which of them the ranks tell apart (Demšar 2006). They know
 nothing of files and of what the values mean.
 
-A block is one set of conditions under which every strategy ran: organ, tool, scene, speed, seed, release, or what the caller
-takes for one. The tests take blocks as independent, which those of one seed are not: they share the place. Where they
-matter, let a block be a seed on an organ, and the value a strategy's mean rank over the cases there.
+A block is one set of conditions under which every strategy ran: organ, tool, scene, speed, seed, release, or what the
+caller takes for one. The tests take blocks as independent, which those of one seed are not: they share the place. Where
+the tests matter, let a block be a seed on an organ, and the value a strategy's mean rank over its cases there.
 
 A value may be infinite: the worst there is, which a failed case counts as."""
 
@@ -89,8 +89,8 @@ def critical_difference(strategies: int, blocks: int, alpha: float = ALPHA) -> f
 
 
 def not_told_apart(mean_ranks: np.ndarray, difference: float) -> list[list[int]]:
-    """The largest groups of strategies, by number and best first, of which no two differ by `difference` or more; groups
-    overlap, a strategy alone is none."""
+    """The largest groups of strategies, by number and best first, of which no two differ by `difference` or more;
+    groups overlap, a strategy alone is none."""
     order = np.argsort(mean_ranks, kind="stable")
     groups: list[list[int]] = []
     end = 0  # of the group before

@@ -93,6 +93,10 @@ class Diagram(unittest.TestCase):
             for number, box in enumerate(boxes):
                 self.assertTrue(page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1)
                 self.assertFalse([other for other in boxes[:number] if box.overlaps(other)])
+            axis = figure.axes[0].transData.transform([(0, AXIS), (LENGTH, AXIS)])[:, 0]
+            for text, box in zip(figure.axes[0].texts, boxes):
+                if text.get_text().split("  ")[0] in (*NAMES, longest):
+                    self.assertTrue(box.x1 < axis[0] or box.x0 > axis[1], text.get_text())
 
     def test_it_is_readable_in_grey(self):
         (axes,) = compose(made_up([1.2, 3.9, 2.1, 2.8]), "depth").axes
