@@ -10,7 +10,7 @@ import warnings
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import rankdata, wilcoxon
+from scipy.stats import norm, rankdata, t, wilcoxon
 
 LEVEL = 0.95  # of the interval
 RESAMPLES = 10_000
@@ -85,22 +85,46 @@ def bootstrap_interval(
     Organs are not drawn: they were chosen. Of an organ's m seeds m - 1 are drawn, with replacement, and count m / (m - 1)
     times (Rao and Wu 1988): m of m give intervals too short by the factor sqrt((m - 1) / m). Where a resample has two
     middle values the lower one counts for the low end and the upper one for the high end. NaN, NaN where fewer than
-    FEWEST_SEEDS seeds can be drawn."""
+    FEWEST_SEEDS seeds can be drawn.
+
+    Any values will do, one a case, not differences alone; see conditions.py."""
     weights, seed_of_case = draw_seeds(organs, seeds, resamples)
     if len(weights) == 0:
         return float("nan"), float("nan")
-    lower, upper = weighted_medians(differences, weights, seed_of_case)
-    tail = int((1 - LEVEL) / 2 * (resamples - 1))
-    return float(np.sort(lower)[tail]), float(np.sort(upper)[-1 - tail])
+    return ends(*weighted_medians(differences, weights, seed_of_case), tail_beyond(organs, seeds))
+
+
+def ends(lower: np.ndarray, upper: np.ndarray, tail: float) -> tuple[float, float]:
+    """The low and the high end beyond which the part `tail` of the resamples lies, of their lower and upper medians."""
+    place = int(tail * (len(lower) - 1))
+    return float(np.sort(lower)[place]), float(np.sort(upper)[-1 - place])
+
+
+def tail_beyond(organs: np.ndarray, seeds: np.ndarray) -> float:
+    """The part of the resamples beyond either end of the interval: (1 - LEVEL) / 2 where seeds are many, less where
+    they are few, since their spread is itself a guess. That is the expanded percentile interval (Hesterberg 2015): as
+    far out among the resamples as Student's t is on a normal distribution. The degrees of freedom are the seeds less
+    the organs; a seed that is alone on its organ adds none. The factor sqrt(m / (m - 1)) of that method is already in
+    the weights."""
+    units, _ = seeds_on_organs(organs, seeds)
+    _, seeds_of_organ = np.unique(units[0], return_counts=True)
+    return float(norm.sf(t.isf((1 - LEVEL) / 2, (seeds_of_organ - 1).sum())))
+
+
+def seeds_on_organs(organs: np.ndarray, seeds: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What can be drawn, numbers of organ and seed [2, seeds of all organs], and which of them each case belongs to,
+    [cases]."""
+    _, organ_of_case = np.unique(organs, return_inverse=True)
+    _, seed = np.unique(seeds, return_inverse=True)
+    units, seed_of_case = np.unique(np.stack([organ_of_case, seed]), axis=1, return_inverse=True)
+    return units, np.ravel(seed_of_case)
 
 
 def draw_seeds(organs: np.ndarray, seeds: np.ndarray, resamples: int) -> tuple[np.ndarray, np.ndarray]:
     """How much each seed of each organ counts in each resample, [resamples, seeds of all organs], and which of them each
     case belongs to, [cases]. A seed that is alone on its organ always counts once. No resamples where there are fewer
     than FEWEST_SEEDS others."""
-    _, organ_of_case = np.unique(organs, return_inverse=True)
-    _, seed = np.unique(seeds, return_inverse=True)
-    units, seed_of_case = np.unique(np.stack([organ_of_case, seed]), axis=1, return_inverse=True)
+    units, seed_of_case = seeds_on_organs(organs, seeds)
     generator = np.random.default_rng(GENERATOR_SEED)
     weights = np.ones((resamples, units.shape[1]))
     drawn = 0
@@ -111,7 +135,7 @@ def draw_seeds(organs: np.ndarray, seeds: np.ndarray, resamples: int) -> tuple[n
             times = generator.multinomial(count - 1, np.full(count, 1 / count), size=resamples)
             weights[:, own] = times * (count / (count - 1))
             drawn += count
-    return (weights if drawn >= FEWEST_SEEDS else weights[:0]), np.ravel(seed_of_case)
+    return (weights if drawn >= FEWEST_SEEDS else weights[:0]), seed_of_case
 
 
 def weighted_medians(

@@ -4,11 +4,11 @@ import math
 import unittest
 
 import numpy as np
-from scipy.stats import wilcoxon
+from scipy.stats import binom, norm, wilcoxon
 from trocar_analysis import paired
 from trocar_analysis.paired import (
-    bootstrap_interval, compare_pairs, draw_seeds, median, paired_differences, relative_change, signed_rank,
-    weighted_medians,
+    bootstrap_interval, compare_pairs, draw_seeds, ends, median, paired_differences, relative_change, signed_rank,
+    tail_beyond, weighted_medians,
 )  # fmt: skip
 
 INF = math.inf
@@ -122,19 +122,35 @@ class Interval(unittest.TestCase):
         self.assertEqual(high, INF)
         self.assertFalse(math.isnan(low))
 
+    def test_with_few_seeds_it_reaches_further(self):
+        # One organ of n seeds: the tail of the normal distribution beyond Student's t of n - 1 degrees, from tables.
+        for seeds, t in ((12, 2.2010), (16, 2.1314), (121, 1.9799)):
+            self.assertAlmostEqual(tail_beyond(*design(1, seeds)), norm.sf(t), delta=1e-5)
+        self.assertAlmostEqual(tail_beyond(*design(3, 5)), norm.sf(2.1788), delta=1e-5)  # 12 degrees
+        alone = np.append(np.zeros(16), [1, 2])  # two organs of one seed each say nothing of how seeds differ
+        self.assertEqual(tail_beyond(alone, np.append(np.arange(16), [0, 0])), tail_beyond(*design(1, 16)))
+        self.assertAlmostEqual(tail_beyond(*design(30, 1000)), 0.025, 5)
+
+    def test_one_organ_misses_the_median_rarely_for_any_number_of_seeds(self):
+        # The interval of n different values goes from the k-th to the k-th from the end; so often it misses (binomial).
+        for count in range(12, 41):
+            low, high = bootstrap_interval(np.arange(1.0, count + 1), *design(1, count))
+            self.assertLessEqual(binom.cdf(low - 1, count, 0.5) + binom.sf(high - 1, count, 0.5), 0.07, count)
+
     def test_swapped_labels_are_rarely_a_change(self):
-        # The null check of the design: 1,000 random swaps of A and B within pairs, at the size of the paper's sweep.
+        # The null check of the design: 1,000 random swaps of A and B within pairs, at the sizes that sweeps have.
         generator = np.random.default_rng(7)
-        for swap_seeds in (False, True):
-            organs, seeds = design(6, 5, 2)
+        for shape, swap_seeds in (((6, 5, 2), False), ((6, 5, 2), True), ((1, 16), False), ((3, 20), False)):
+            organs, seeds = design(*shape)
             weights, unit = draw_seeds(organs, seeds, 1000)
-            sizes = np.abs(generator.normal(size=60)) ** 3
+            tail = tail_beyond(organs, seeds)
+            sizes = np.abs(generator.normal(size=len(organs))) ** 3
             found = tested = 0
             for _ in range(1000):
-                signs = generator.choice([-1, 1], 60)
+                signs = generator.choice([-1, 1], len(organs))
                 differences = sizes * (signs[unit] if swap_seeds else signs)
-                lower, upper = weighted_medians(differences, weights, unit)
-                found += np.sort(lower)[24] > 0 or np.sort(upper)[-25] < 0
+                low, high = ends(*weighted_medians(differences, weights, unit), tail)
+                found += low > 0 or high < 0
                 tested += not swap_seeds and signed_rank(differences) < 0.05
             self.assertLessEqual(found, 70)
             self.assertGreater(found, 5)
