@@ -1,6 +1,6 @@
 # trocar_package(): what `cmake --install` puts in place. The libraries common and strategies with their headers, for
 # find_package(trocar); the program. (The analysis installs itself.) results and experiments are the inside of the
-# program: other software meets them through sweep files and result files.
+# program: other software meets them through sweep files and result files. So is common/process, which they use.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -9,7 +9,7 @@ function(trocar_package)
         set_target_properties(trocar_${name} PROPERTIES EXPORT_NAME ${name})
         install(TARGETS trocar_${name} EXPORT trocarTargets)
         install(DIRECTORY ${CMAKE_SOURCE_DIR}/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/trocar
-                FILES_MATCHING PATTERN "*.h")
+                FILES_MATCHING PATTERN "*.h" PATTERN process EXCLUDE)
     endforeach()
 
     set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/trocar)

@@ -12,7 +12,6 @@ namespace {
 
 constexpr std::array case_columns{"case_id",  "build_id",     "status",        "metrics",
                                   "attempts", "sweep_number", "provenance_row"};
-constexpr std::array provenance_columns{"end", "host", "cpu"};
 
 /// A text of each row of a table, empty where not every file has the column.
 Texts texts_if_there(const Table& table, const std::string& name, hid_t group) {
@@ -26,7 +25,7 @@ WholeNumbers numbers_if_there(const Table& table, const std::string& name, hid_t
 /// Adds to each case what its row of /provenance says.
 void add_provenance(hid_t file, const WholeNumbers& rows, std::vector<Contents::Case>& cases) {
     const hdf5::Group group = hdf5::open_group(file, provenance_group);
-    const Table provenance = read_table(group.id(), provenance_columns);
+    const Table provenance = read_table(group.id());
     const Texts ends = texts_if_there(provenance, "end", group.id());
     const Texts hosts = texts_if_there(provenance, "host", group.id());
     const Texts processors = texts_if_there(provenance, "cpu", group.id());

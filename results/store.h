@@ -33,7 +33,7 @@ struct Contents {
         std::string status;
         bool has_replay = false;
         std::string metrics;            ///< the metrics that were on
-        std::int64_t attempts = 0;      ///< how often the case was started
+        std::int64_t attempts = 0;      ///< how often the case was started, as far as results tell
         std::int64_t sweep_number = 0;  ///< of the case in the sweep's list, from 1
         std::string end;                ///< when the case ended, ISO 8601
         std::string machine;            ///< host and processor

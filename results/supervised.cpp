@@ -1,25 +1,25 @@
 #include "results/supervised.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
-#include <cstring>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "common/process/child.h"
 #include "results/hdf5_handles.h"
 
 namespace trocar {
@@ -36,36 +36,18 @@ constexpr bool memory_is_limited = false;  // AddressSanitizer reserves terabyte
 constexpr bool memory_is_limited = true;
 #endif
 
-/// What the child says through its pipe: one letter, the length of the text, the text.
+/// The letters of the child's messages.
 enum class Kind : char { reading = 'f', result = 'r', refused = 'e', failed = 'x' };
 
-struct MessageHead {
-    Kind kind = Kind::failed;
-    std::uint64_t length = 0;
-};
-
 /// Where the child writes; the parent and unsupervised processes have none.
-int& child_pipe() {
-    static int descriptor = -1;
-    return descriptor;
+int& line_to_parent() {
+    static int line = -1;
+    return line;
 }
 
-void write_all(int descriptor, const char* bytes, std::size_t count) {
-    while (count > 0) {
-        const ssize_t written = write(descriptor, bytes, count);
-        if (written < 0 && errno != EINTR) _exit(EXIT_FAILURE);  // nobody listens
-        if (written <= 0) continue;
-        bytes += written;
-        count -= static_cast<std::size_t>(written);
-    }
-}
-
-void send(Kind kind, std::string_view text) {
-    std::array<char, 1 + sizeof(std::uint64_t)> head{static_cast<char>(kind)};
-    const std::uint64_t length = text.size();
-    std::memcpy(&head[1], &length, sizeof length);
-    write_all(child_pipe(), head.data(), head.size());
-    write_all(child_pipe(), text.data(), text.size());
+void tell_parent(Kind kind, std::string_view text) {
+    const bool heard = send_message(line_to_parent(), static_cast<char>(kind), text);
+    if (!heard) _exit(EXIT_FAILURE);
 }
 
 /// What this process has reserved, bytes.
@@ -92,8 +74,7 @@ rlim_t size_of(std::span<const std::filesystem::path> files) {
     return sum;
 }
 
-[[noreturn]] void run_child(std::span<const std::filesystem::path> files,
-                            const std::function<std::string()>& read) {
+void run_child(std::span<const std::filesystem::path> files, const std::function<std::string()>& read) {
     const rlim_t size = size_of(files);
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_CPU, base_seconds + size / bytes_per_second);
@@ -104,121 +85,56 @@ rlim_t size_of(std::span<const std::filesystem::path> files) {
             dup2(nowhere, STDERR_FILENO);  // what the C library says of a heap that was written over
     }
     try {
-        send(Kind::result, read());
+        tell_parent(Kind::result, read());
     } catch (const StoreError& error) {
-        send(Kind::refused, error.what());
+        tell_parent(Kind::refused, error.what());
     } catch (const std::bad_alloc&) {
-        send(Kind::failed, "it asks for more memory than its size explains");
+        tell_parent(Kind::failed, "it asks for more memory than its size explains");
     } catch (const std::exception& error) {
-        send(Kind::failed, error.what());
+        tell_parent(Kind::failed, error.what());
     }
-    _exit(EXIT_SUCCESS);
 }
-
-/// A child process, killed and waited for at the end of its scope at the latest.
-class Child {
-  public:
-    Child(pid_t process, int pipe) : process_(process), pipe_(pipe) {}
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-    ~Child() {
-        if (process_ > 0) kill(process_, SIGKILL);
-        wait();
-        close(pipe_);
-    }
-
-    [[nodiscard]] int pipe() const { return pipe_; }
-
-    /// @returns how it ended, as waitpid says it
-    int wait() {
-        int status = 0;
-        if (process_ <= 0) return status;
-        while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-        }
-        process_ = -1;
-        return status;
-    }
-
-  private:
-    pid_t process_;
-    int pipe_;
-};
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::string_view reason) {
     throw DamagedFile(fmt::format("{}: is damaged: {}", file.string(), reason));
 }
 
-/// What was received so far, cut into messages.
-class Inbox {
-  public:
-    explicit Inbox(std::filesystem::path first_file) : file_(std::move(first_file)) {}
-
-    [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-    [[nodiscard]] bool has_result() const { return has_result_; }
-    std::string take_result() { return std::move(result_); }
-
-    /// Throws StoreError when the child did.
-    void append(std::string_view bytes) {
-        bytes_ += bytes;
-        std::size_t start = 0;
-        constexpr std::size_t head_size = 1 + sizeof(std::uint64_t);
-        while (bytes_.size() - start >= head_size) {
-            MessageHead head{.kind = static_cast<Kind>(bytes_[start])};
-            std::memcpy(&head.length, &bytes_[start + 1], sizeof head.length);
-            if (bytes_.size() - start - head_size < head.length) break;
-            receive(head.kind, bytes_.substr(start + head_size, head.length));
-            start += head_size + head.length;
-        }
-        bytes_.erase(0, start);
-    }
-
-  private:
-    void receive(Kind kind, std::string text) {
-        switch (kind) {
-            case Kind::reading:
-                file_ = text;
-                return;
-            case Kind::result:
-                result_ = std::move(text);
-                has_result_ = true;
-                return;
-            case Kind::refused:
-                throw StoreError(text);
-            case Kind::failed:
-                fail(file_, text);
-        }
-        fail(file_, "reading it ended in a muddle");
-    }
-
-    std::string bytes_;
-    std::filesystem::path file_;
-    std::string result_;
-    bool has_result_ = false;
+/// What the child has said so far.
+struct Heard {
+    std::filesystem::path file;  ///< that it reads
+    std::optional<std::string> result;
 };
 
-std::string listen_to(Child& child, Inbox& inbox) {
-    std::array<char, 1U << 16U> buffer{};
-    while (true) {
-        pollfd waiting{.fd = child.pipe(), .events = POLLIN, .revents = 0};
+/// Throws StoreError when the child did.
+void take(Message message, Heard& heard) {
+    switch (static_cast<Kind>(message.letter)) {
+        case Kind::reading:
+            heard.file = message.text;
+            return;
+        case Kind::result:
+            heard.result = std::move(message.text);
+            return;
+        case Kind::refused:
+            throw StoreError(message.text);
+        case Kind::failed:
+            fail(heard.file, message.text);
+    }
+    fail(heard.file, "reading it ended in a muddle");
+}
+
+std::string listen_to(Child& child, Heard heard) {
+    while (!child.closed()) {
+        pollfd waiting{.fd = child.line(), .events = POLLIN, .revents = 0};
         const int ready = poll(&waiting, 1, 1000 * patience_s);
         if (ready < 0 && errno == EINTR) continue;
-        if (ready == 0) fail(inbox.file(), fmt::format("reading it came to a halt for {} s", patience_s));
-        const ssize_t count = read(child.pipe(), buffer.data(), buffer.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) break;
-        inbox.append({buffer.data(), static_cast<std::size_t>(count)});
+        if (ready == 0) fail(heard.file, fmt::format("reading it came to a halt for {} s", patience_s));
+        for (Message& message : child.messages()) take(std::move(message), heard);
     }
-    const int status = child.wait();
-    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-        fail(inbox.file(), "reading it takes longer than its size explains");
-    if (WIFSIGNALED(status)) {
-        fail(inbox.file(), fmt::format("reading it ended with signal {} ({})", WTERMSIG(status),
-                                       strsignal(WTERMSIG(status))));
-    }
-    if (!inbox.has_result()) {
-        fail(inbox.file(), fmt::format("reading it ended with exit code {}", WEXITSTATUS(status)));
-    }
-    return inbox.take_result();
+    const Ending ending = child.end();
+    if (ending.signal == SIGXCPU) fail(heard.file, "reading it takes longer than its size explains");
+    if (ending.signal != 0 || !heard.result)
+        fail(heard.file, fmt::format("reading it ended with {}", ending.text));
+    return std::move(*heard.result);
 }
 
 }  // namespace
@@ -226,36 +142,20 @@ std::string listen_to(Child& child, Inbox& inbox) {
 std::string supervised(std::span<const std::filesystem::path> files,
                        const std::function<std::string()>& read) {
     const hdf5::Session session;  // no other thread is inside HDF5 when the child is made
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw std::system_error(errno, std::generic_category(), "making a pipe");
-    const pid_t parent = getpid();
-    const pid_t process = fork();
-    if (process < 0) {
-        const int error = errno;
-        for (const int end : ends) close(end);
-        throw std::system_error(error, std::generic_category(), "starting a process");
-    }
-    if (process == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);  // NOLINT(*-vararg): without its parent nobody needs the answer
-        if (getppid() != parent) _exit(EXIT_FAILURE);
-        close(ends[0]);
-        child_pipe() = ends[1];
+    Child child([&](int line) {
+        line_to_parent() = line;
         run_child(files, read);
-    }
-    close(ends[1]);
-    Child child(process, ends[0]);
-    Inbox inbox(files.empty() ? std::filesystem::path() : files.front());
-    return listen_to(child, inbox);
+    });
+    return listen_to(child, {.file = files.empty() ? std::filesystem::path() : files.front(), .result = {}});
 }
 
 void now_reading(const std::filesystem::path& file) {
-    if (child_pipe() >= 0) send(Kind::reading, file.string());
+    if (line_to_parent() >= 0) tell_parent(Kind::reading, file.string());
 }
 
 void end_with_error(const std::string& message) {
-    if (child_pipe() < 0) return;
-    send(Kind::refused, message);
+    if (line_to_parent() < 0) return;
+    tell_parent(Kind::refused, message);
     _exit(EXIT_SUCCESS);
 }
 

@@ -1,6 +1,6 @@
 """The command line: `/usr/bin/python3 -m trocar_analysis show|compare|snapshot|scene|metrics|rules …`. Exit code 0 when
 done, 1 when `compare` found what it should fail on, 2 for bad usage or input, with one line on stderr that says what
-is wrong."""
+is wrong, 3 for a bug in here, with the traceback on stderr."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import argparse
 import os
 import shutil
 import sys
+import traceback
 
 from .errors import InputError
 
@@ -173,27 +174,50 @@ def run_rules(arguments: argparse.Namespace) -> None:
     print(draw_rules(arguments.file))
 
 
-def main() -> int:
-    sys.stdout.reconfigure(errors="replace")  # a terminal that cannot show "µ" shows "?"
+def run() -> int:
+    """Does what the command line asks for. Throws what nobody has foreseen."""
     try:
         arguments = make_parser().parse_args()
         return arguments.function(arguments) or 0
     except InputError as error:
         print(f"trocar: {error}", file=sys.stderr)
-        return 2
     except ModuleNotFoundError as error:
         package = DEBIAN_PACKAGES.get((error.name or "").partition(".")[0])
         if package is None:
             raise
         print(f"trocar: the analysis needs the Debian package {package}; install it", file=sys.stderr)
-        return 2
     except MemoryError:
         print("trocar: the memory does not suffice, or the file is damaged", file=sys.stderr)
-        return 2
     except BrokenPipeError:
-        # The reader (such as `head`) has seen enough; keep Python from complaining when it closes stdout.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    return 0
+        let_go_of_output()  # its reader (such as `head`) has seen enough
+        return 0
+    except OSError as error:
+        if error.errno is None:  # h5py's own, of what store.py should have refused
+            raise
+        let_go_of_output()
+        where = f"{error.filename}: " if error.filename else ""
+        print(f"trocar: {where}{error.strerror}", file=sys.stderr)
+    return 2
+
+
+def let_go_of_output() -> None:
+    """Keeps Python from complaining when, at its end, it cannot write what it still has for stdout."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def main() -> int:
+    sys.stdout.reconfigure(errors="replace")  # a terminal that cannot show "µ" shows "?"
+    try:
+        return run()
+    except Exception:
+        # Python's own exit code for it is 1, which says that `compare` has found something.
+        traceback.print_exc()
+        print(
+            "trocar: this is a bug of the analysis and says nothing about the results; please report it with the "
+            "lines above",
+            file=sys.stderr,
+        )
+        return 3
 
 
 if __name__ == "__main__":

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pandas as pd
 
-from .changes import FEW_SEEDS, NO_TIMES, values_of
+from .changes import FEW_SEEDS, values_of
 from .paired import FEWEST_SEEDS, LEVEL, RESAMPLES
 from .pairing import Pairing, listed
-from .table import ABSENT, Column, number, readable_unit
+from .table import ABSENT, INCOMPARABLE, Column, number, readable_unit
 
 
 def lay_out(summary: pd.DataFrame, keys: list[str]) -> list[Column]:
@@ -18,8 +18,7 @@ def lay_out(summary: pd.DataFrame, keys: list[str]) -> list[Column]:
         finite = rows.rename(columns={"median_a": "median"})
         factors[figure] = readable_unit(rows["units"].iloc[0], finite)
     rows = [row for _, row in summary.iterrows()]
-    names = [f"{row['metric']}, {factors[row['metric']][0]}".removesuffix(", ") for row in rows]
-    columns = [Column(("figure", ""), "", True, [(name, "") for name in names])]
+    columns = [Column(("figure", ""), "", True, [(figure_name(row, factors[row["metric"]][0]), "") for row in rows])]
     for key in keys:
         is_text = not pd.api.types.is_numeric_dtype(summary[key])
         title = "strategy" if key == "label" and "strategy" not in keys else key
@@ -33,6 +32,11 @@ def lay_out(summary: pd.DataFrame, keys: list[str]) -> list[Column]:
     columns.append(Column(("p", ""), "", False, [(p_text(row["p"]), "") for row in rows]))
     columns.append(Column(("verdict", ""), "", True, [(row["verdict"], "") for row in rows]))
     return columns
+
+
+def figure_name(row: pd.Series, unit: str) -> str:
+    mark = "" if row["comparable"] else INCOMPARABLE
+    return f"{row['metric']}{mark}, {unit}".removesuffix(", ")
 
 
 def left_out(row: pd.Series) -> str:
@@ -95,6 +99,6 @@ def legend(pairing: Pairing, summary: pd.DataFrame) -> list[str]:
         )
     if (summary["verdict"] == FEW_SEEDS).any():
         lines.append(f"Too few seeds: an interval needs {FEWEST_SEEDS} over all organs, two or more on an organ.")
-    if (summary["verdict"] == NO_TIMES).any():
-        lines.append(f"Times are not comparable ({pairing.times}).")
+    if not summary["comparable"].all():
+        lines.append(f"{INCOMPARABLE} Times are not comparable ({pairing.times}).")
     return lines

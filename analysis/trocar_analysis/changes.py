@@ -21,7 +21,7 @@ def compare_groups(
     """One row per figure and group: the keys, `metric`, `units`; cases of the group by where they are (`only_a`,
     `only_b`, `both`); of those in both, how many failed (`failed_a`, `failed_b`) and how many have no value
     (`no_value_a` has one in B only, `no_value_b` in A only, `no_value` in neither); what is in paired.Change, over
-    `pairs` of them, in the stored unit; `verdict`."""
+    `pairs` of them, in the stored unit; `comparable`, which times may not be; `verdict`."""
     rows = []
     groups = groups_in_order(pairing.inputs, keys)
     for figure in figures:
@@ -39,7 +39,8 @@ def compare_groups(
                 "only_b": len(group.index.intersection(pairing.only_b)), "both": len(both),
             }  # fmt: skip
             row |= counts | vars(change)
-            row["verdict"] = verdict(row, direction, pairing.times if is_time(figure) else "")
+            times = pairing.times if is_time(figure) else ""
+            row |= {"comparable": not times, "verdict": verdict(row, direction, times)}
             rows.append(row)
     return pd.DataFrame(rows)
 

@@ -36,15 +36,15 @@ def is_time(figure: str) -> bool:
     return figure.startswith("time_") or figure == "wall_s"
 
 
-def warning(origin: pd.DataFrame) -> list[str]:
-    """A line when times of these cases cannot be compared with each other, else none."""
+def warning(origin: pd.DataFrame, times: str = "times") -> list[str]:
+    """A line when times of these cases cannot be compared with each other, else none. `times`: what it calls them."""
     facts = differing(origin, IN_ONE_FILE)
     if not facts:
         return []
     programs, machines = set(facts) & set(PROGRAM), set(facts) - set(PROGRAM)
     kinds = [word for word, found in (("programs", programs), ("machines", machines)) if found]
     return [
-        f"Warning: cases come from different {' and '.join(kinds)} ({', '.join(facts)}): times are not comparable; "
+        f"Warning: cases come from different {' and '.join(kinds)} ({', '.join(facts)}): {times} are not comparable; "
         "see trocar show --provenance"
     ]
 

@@ -15,7 +15,7 @@ from .provenance import is_time, origins, provenance_text, warning
 from .store import CONDITIONS, ResultFile
 from .subject import CASES, STATES, Subject, number_of_states, tally
 from .summary import choose_figures, choose_keys, only_rows, summarise
-from .table import number, render
+from .table import INCOMPARABLE, number, render
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,9 @@ def show(
         raise InputError(f"{path}: has none of the usual figures; name one with --metric")
     summary = summarise(rows, keys, figures, units, subject)
     has_times = origin is not None and any(map(is_time, figures))
-    caution = warning(origin.loc[rows.index]) if has_times else []
+    times = "times" if wishes.style == "csv" else f"times ({INCOMPARABLE})"
+    caution = warning(origin.loc[rows.index], times) if has_times else []
+    summary["comparable"] = [not (caution and is_time(name)) for name in summary["metric"]]
     if wishes.style == "csv":
         print(*caution, sep="\n", end="\n" if caution else "", file=sys.stderr)
         return summary.to_csv(index=False)

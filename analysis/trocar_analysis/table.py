@@ -10,6 +10,7 @@ import pandas as pd
 from .subject import Subject
 
 ABSENT = "–"
+INCOMPARABLE = "†"  # behind the name of a figure whose values cannot be compared with each other
 ROUNDING = 1e-12  # no figure of ours is that small, in its unit or ns, but by rounding; --csv has it in full
 
 
@@ -47,7 +48,7 @@ def lay_out(
     summary: pd.DataFrame, keys: list[str], figures: list[str], units: dict[str, str], subject: Subject
 ) -> list[Column]:
     """The summary's columns for people: keys, number of cases and of failures, or of states, then one column per
-    figure."""
+    figure, whose name is marked where its values are not `comparable`."""
     groups = summary[summary["metric"] == figures[0]]
     columns = []
     for key in keys:
@@ -60,7 +61,8 @@ def lay_out(
         rows = summary[summary["metric"] == name]
         unit, factor = readable_unit(units.get(name, ""), rows)
         parts = subject.name_of(name)
-        title = (parts.metric, name.removeprefix(parts.metric)) if parts else (name, "")
+        shown = name if rows["comparable"].all() else name + INCOMPARABLE
+        title = (parts.metric, shown.removeprefix(parts.metric)) if parts else (shown, "")
         cells = [figure_cell(row, factor) for _, row in rows.iterrows()]
         columns.append(Column(title, unit, False, cells))
     return columns

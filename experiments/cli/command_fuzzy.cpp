@@ -17,7 +17,8 @@ namespace trocar {
 namespace {
 
 constexpr const char* footer =
-    "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
+    "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing; 3 a bug of the "
+    "analysis.\n"
     "Example:\n"
     "  trocar fuzzy rules > my.fll\n"
     "  trocar fuzzy explain --motion 0,0,-1 --normal 0,0,1 --normal 0.6,0,0.8 --option rules=my.fll\n"

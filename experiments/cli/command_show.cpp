@@ -13,7 +13,8 @@ namespace trocar {
 namespace {
 
 constexpr const char* footer =
-    "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing.\n"
+    "Exit codes: 0 done; 2 bad usage or input, or a Python package is missing; 3 a bug of the "
+    "analysis.\n"
     "Example:\n"
     "  trocar show results.h5 --by label,speed --metric depth_max_d_max\n"
     "  trocar show results.h5 --by aggregate,normals --only feedback=true\n"

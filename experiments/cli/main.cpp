@@ -19,7 +19,7 @@ namespace {
 constexpr const char* footer =
     "Exit codes: 0 done; 1 a result says no; 2 bad usage or input, or a file that cannot be read or "
     "written;\n"
-    "3 a case did not complete; 130 interrupted.\n"
+    "3 a case did not complete, or the analysis has a bug; 130 interrupted.\n"
     "Example:\n"
     "  trocar run sweep.toml -o results.h5\n"
     "  trocar show results.h5\n"

@@ -15,7 +15,7 @@ struct CaseOptions {
     std::vector<const Metric*> metrics = choose_metrics("all");
     int same_state = 0;                     ///< states of the case to hand to other strategies
     std::vector<StrategyChoice> answering;  ///< … which are these
-    std::int64_t earlier_attempts = 0;      ///< how often earlier runs are known to have started the case
+    std::int64_t earlier_attempts = 0;      ///< `attempts` of the result that an earlier run left of the case
 };
 
 /// The names of the metrics, with commas between them.

@@ -15,7 +15,9 @@ void add_cases(DoneCases& done, const std::filesystem::path& file, const Content
                              .status = one.status,
                              .has_replay = one.has_replay,
                              .metrics = one.metrics,
-                             .attempts = one.attempts};
+                             .attempts = one.attempts,
+                             .end = one.end,
+                             .machine = one.machine};
     }
 }
 
@@ -37,6 +39,12 @@ Contents read_out(const std::filesystem::path& out) {
         throw InputError(fmt::format("{}\n{} exists and is left as it is; choose another output",
                                      error.what(), out.string()));
     }
+}
+
+/// Whether two entries of one case are of the same run of it: no machine ends two of them in one millisecond.
+bool is_same_run(const DoneCase& one, const DoneCase& other) {
+    return !one.end.empty() && one.end == other.end && one.machine == other.machine &&
+           one.build_id == other.build_id;
 }
 
 }  // namespace
@@ -65,6 +73,18 @@ DoneCases find_parts(const std::filesystem::path& folder, const std::string& swe
         add_cases(done, files[i], parts[i]);
     }
     return done;
+}
+
+DoneCases find_fresh_parts(const std::filesystem::path& out, const std::string& sweep_hash) {
+    DoneCases parts = find_parts(fresh_parts_folder_of(out), sweep_hash);
+    if (parts.empty() || !std::filesystem::exists(out)) return parts;
+    DoneCases published;
+    add_cases(published, out, read_out(out));
+    std::erase_if(parts, [&](const auto& part) {
+        const auto found = published.find(part.first);
+        return found != published.end() && is_same_run(part.second, found->second);
+    });
+    return parts;
 }
 
 DoneCases find_done_cases(const std::filesystem::path& out, const std::string& sweep_hash) {

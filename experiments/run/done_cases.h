@@ -15,6 +15,8 @@ struct DoneCase {
     bool has_replay = false;
     std::string metrics;  ///< those that were taken, as metric_names has them
     std::int64_t attempts = 0;
+    std::string end;      ///< when it ended, ISO 8601; empty when the file does not say
+    std::string machine;  ///< where it ran
 };
 
 /// Finished cases by their case_id.
@@ -30,6 +32,11 @@ std::filesystem::path fresh_parts_folder_of(const std::filesystem::path& out);
 /// The cases of this sweep that lie in a parts folder, which need not exist. Throws InputError when one
 /// cannot be read or is of another sweep.
 DoneCases find_parts(const std::filesystem::path& folder, const std::string& sweep_hash);
+
+/// What a run with --fresh that was cut off left in its folder. A case that `out` holds from the same run is
+/// left out: that run came to publish its result, and only its folder was left behind. Throws as find_parts
+/// does.
+DoneCases find_fresh_parts(const std::filesystem::path& out, const std::string& sweep_hash);
 
 /// What an earlier run of the same sweep left in `out` and in its parts folder; a part replaces the same case
 /// of `out`. Changes nothing. Throws InputError when `out` exists and is no result file, and when `out` or a

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <limits>
 #include <string_view>
@@ -52,7 +51,13 @@ System system_names() {
 
 }  // namespace
 
-std::string now_utc() { return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))); }
+std::string now_utc() {
+    using std::chrono::floor, std::chrono::milliseconds, std::chrono::seconds, std::chrono::system_clock;
+    const auto now = floor<milliseconds>(system_clock::now());
+    const auto second = floor<seconds>(now);
+    return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(system_clock::to_time_t(second)),
+                       (now - second).count());
+}
 
 std::vector<Cell> provenance_row(const std::string& case_id, std::span<const std::string> arguments,
                                  const std::string& start, const std::string& end) {

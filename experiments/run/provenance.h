@@ -8,7 +8,7 @@
 
 namespace trocar {
 
-/// Now, as ISO 8601 in UTC: "2009-11-05T12:00:00Z".
+/// Now, as ISO 8601 in UTC: "2009-11-05T12:00:00.125Z".
 std::string now_utc();
 
 /// The case's row of /provenance: the program, how it was built, the machine and its load, the command line.

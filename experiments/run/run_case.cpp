@@ -148,7 +148,8 @@ std::vector<Cell> outcome_cells(const Outcome& outcome, const CaseOptions& optio
     return {
         {"status", "", "how the case ended", std::string(status_name(outcome.status))},
         {"reason", "", "why, where it did not complete", outcome.reason},
-        {"attempts", "1", "how often the case was started", options.earlier_attempts + 1},
+        {"attempts", "1", "how often the case was started, but for starts that the end of their run cut off",
+         options.earlier_attempts + 1},
         {"wall_s", "s", "wall clock of the whole case, judging included", wall_s},
     };
 }

@@ -119,8 +119,7 @@ std::filesystem::path write_xdmf_beside(const RunRequest& request, const DoneCas
 /// What earlier runs left that this one need not do.
 DoneCases find_kept_cases(const RunRequest& request) {
     const std::string& sweep = request.header.sweep_hash;
-    return request.fresh ? find_parts(fresh_parts_folder_of(request.out), sweep)
-                         : find_done_cases(request.out, sweep);
+    return request.fresh ? find_fresh_parts(request.out, sweep) : find_done_cases(request.out, sweep);
 }
 
 }  // namespace
@@ -217,7 +216,9 @@ class PendingRun {
                                          .build_id = request_.build_id,
                                          .status = report.at("status"),
                                          .has_replay = options_[task].replay,
-                                         .metrics = metric_names(options_[task].metrics)};
+                                         .metrics = metric_names(options_[task].metrics),
+                                         .end = {},
+                                         .machine = {}};
         if (const std::string failure = report.at("failure"); !failure.empty()) {
             outcome.failures.push_back(failure);
         }

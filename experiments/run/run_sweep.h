@@ -30,7 +30,8 @@ struct RunRequest {
     std::string build_id;       ///< results of another build are run again
     bool retry_failed = false;  ///< and those that are not complete
     /// Everything is run again. The result file stays as it is until every case is done; until then they lie
-    /// in a folder of their own, where the next fresh run goes on.
+    /// in a folder of their own, where the next fresh run goes on. Once the result file has them, the next
+    /// fresh run starts over, even if this one was killed before it could remove the folder.
     bool fresh = false;
     std::vector<std::string> arguments;  ///< the command line, for the provenance
     /// How a case's strategy is made.

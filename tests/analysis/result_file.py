@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from typing import IO
 
 import h5py
 import numpy as np
@@ -111,13 +112,13 @@ class ProgramTest(unittest.TestCase):
         self.file = self.folder / "out.h5"
 
     def run_program(
-        self, *arguments: object, path_first: Path | None = None
+        self, *arguments: object, path_first: Path | None = None, stdout: int | IO[str] = subprocess.PIPE
     ) -> subprocess.CompletedProcess[str]:
         path = os.pathsep.join(map(str, [*([path_first] if path_first else []), ANALYSIS]))
         return subprocess.run(
             ["/usr/bin/python3", "-B", "-m", "trocar_analysis", *map(str, arguments)],
             env=os.environ | {"PYTHONPATH": path, "PYTHONIOENCODING": "utf-8"},
-            cwd=self.folder, capture_output=True, encoding="utf-8", check=False,
+            cwd=self.folder, stdout=stdout, stderr=subprocess.PIPE, encoding="utf-8", check=False,
         )  # fmt: skip
 
     def output_of(self, *arguments: object) -> str:

@@ -17,7 +17,7 @@ def row(**more):
 
 
 def case(number, **more):
-    return {"case_id": f"c{number}", "label": "a", "provenance_row": 0} | more
+    return {"case_id": f"c{number}", "label": "a", "provenance_row": 0, "wall_s": 1.0} | more
 
 
 class Failures(ProgramTest):
@@ -86,6 +86,23 @@ class Provenance(ProgramTest):
         done = self.run_program("show", self.file, "--metric", "time_handle", "--csv")
         self.assertIn("not comparable", done.stderr)
         self.assertNotIn("not comparable", done.stdout)
+
+    def test_times_that_cannot_be_compared_are_marked(self):
+        metrics = ["time_handle", "wall_s", "depth_max"]
+        marked = {}
+        for name, origins in {"one": [row(), row()], "two": [row(), row(host="y")]}.items():
+            self.write(*origins)
+            text, table = (show_cases(self.file, Wishes(metrics=metrics, style=s)) for s in ("text", "markdown"))
+            asked = [f"--metric={metric}" for metric in metrics]
+            rows = csv.DictReader(io.StringIO(self.run_program("show", self.file, *asked, "--csv").stdout))
+            comparable = {r["metric"]: r["comparable"] for r in rows}
+            marked[name] = text.count("†"), table.splitlines()[0].split(" | ")[4:], comparable
+            self.assertEqual("_p50†" in text.split("─")[0], name == "two")
+        times = "time_handle_p50", "wall_s"
+        names = ["time_handle_p50, µs", "wall_s", "depth_max_d_max, mm |"]
+        self.assertEqual(marked["one"], (0, names, dict.fromkeys([*times, "depth_max_d_max"], "True")))
+        names = ["time_handle_p50†, µs", "wall_s†", "depth_max_d_max, mm |"]
+        self.assertEqual(marked["two"], (3, names, dict.fromkeys(times, "False") | {"depth_max_d_max": "True"}))
 
     def test_only_the_shown_cases_count(self):
         rows = [row(), row(host="y")]

@@ -3,7 +3,9 @@
 import csv
 import io
 import math
+import os
 import unittest
+from pathlib import Path
 
 import h5py
 from result_file import ProgramTest, write_results
@@ -179,6 +181,30 @@ class Refused(ProgramTest):
     def test_missing_package_is_named(self):
         (self.folder / "h5py.py").write_text('raise ModuleNotFoundError("no h5py", name="h5py")\n')
         self.assert_refused("show", "x.h5", saying=["python3-h5py"], path_first=self.folder)
+
+    def test_a_full_disk_is_no_bug(self):
+        write_results(self.file, [{"case_id": "1"}])
+        with Path("/dev/full").open("w") as full:
+            done = self.run_program("show", self.file, stdout=full)
+        self.assertEqual((done.returncode, done.stderr), (2, "trocar: No space left on device\n"))
+
+    def test_a_reader_that_has_seen_enough(self):
+        write_results(self.file, [{"case_id": "1"}])
+        reading, writing = os.pipe()
+        os.close(reading)
+        with os.fdopen(writing, "w") as nobody:
+            done = self.run_program("show", self.file, stdout=nobody)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_what_nobody_has_foreseen_is_no_verdict(self):
+        for odd in ('KeyError("odd")', 'OSError("odd")', 'ModuleNotFoundError("odd", name="odd")'):
+            (self.folder / "h5py.py").write_text(f"raise {odd}\n")
+            done = self.run_program("show", "x.h5", path_first=self.folder)
+            self.assertEqual((done.returncode, done.stdout), (3, ""), odd)
+            self.assertIn("Traceback", done.stderr)
+            *_, what, last = done.stderr.splitlines()
+            self.assertIn("odd", what)
+            self.assertIn("trocar: this is a bug", last)
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 /usr/bin/python3 command_line_test.py PROGRAM
 """
 
+import os
 import pathlib
 import re
 import signal
@@ -289,6 +290,15 @@ class CommandLine(ProgramTest):
         self.assertIn("8 cases, no failures", self.expect_done("show", self.out, "--failures").stdout)
         self.assertIn("8 cases, 1 program, 1 machine", self.expect_done("show", self.out, "--provenance").stdout)
         self.expect_refused("excludes", "show", self.out, "--failures", "--by", "label")
+
+    def test_a_bug_of_the_analysis_is_3(self):
+        self.write("pandas.py", "raise KeyError('odd')")
+        os.environ["PYTHONPATH"] = str(self.folder)
+        self.addCleanup(os.environ.pop, "PYTHONPATH")
+        for words in (("show", "a.h5"), ("compare", "a.h5", "b.h5")):
+            result = self.run_program(*words)
+            self.assertEqual(result.returncode, 3, result.stderr)
+            self.assertIn("KeyError: 'odd'\ntrocar: this is a bug", result.stderr)
 
     def test_compare_is_a_gate(self):
         after = self.folder / "after.h5"

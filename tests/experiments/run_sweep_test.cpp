@@ -134,6 +134,49 @@ TEST_F(RunSweep, AnInterruptedRunKeepsWholeCasesAndGoesOn) {
     EXPECT_EQ(stored_ids(), request().case_order);
 }
 
+/// A fresh run whose folder of parts is there again after it, as when it is killed before it can remove it.
+class KilledFreshRun : public RunSweep {
+  protected:
+    KilledFreshRun() {
+        RunRequest earlier = request();
+        earlier.build_id = "build 0";
+        run_sweep(earlier, silent, {});
+        before_ = read_bytes(out_);
+        fresh_.fresh = true;
+        const auto keep_when_all_are_there = [&](std::size_t done, std::size_t total) {
+            if (done == total) std::filesystem::copy(parts_, kept_);
+        };
+        run_sweep(fresh_, keep_when_all_are_there, {});
+        std::filesystem::rename(kept_, parts_);
+    }
+
+    RunRequest fresh_ = request();
+    std::string before_;  ///< the bytes of the result file
+    std::filesystem::path parts_ = fresh_parts_folder_of(out_);
+    std::filesystem::path kept_ = folder_.path("kept");
+};
+
+TEST_F(KilledFreshRun, AfterItsResultWasPublishedIsOver) {
+    EXPECT_EQ(pending_cases(fresh_).size(), 4U);
+    std::stop_source stop;
+    const RunOutcome cut = run_sweep(
+        fresh_, [&](std::size_t, std::size_t) { stop.request_stop(); }, stop.get_token());
+    EXPECT_EQ(cut.kept, 0U);
+    EXPECT_FALSE(cut.merged);
+    EXPECT_EQ(run_sweep(fresh_, silent, {}).by_status.at("complete"), 4U);
+    EXPECT_FALSE(std::filesystem::exists(parts_));
+}
+
+TEST_F(KilledFreshRun, BeforeItsResultWasPublishedGoesOn) {
+    std::ofstream(out_, std::ios::binary) << before_;
+    EXPECT_THAT(pending_cases(fresh_), testing::IsEmpty());
+    const RunOutcome outcome = run_sweep(fresh_, silent, {});
+    EXPECT_EQ(outcome.kept, 4U);
+    EXPECT_EQ(outcome.ran, 0U);
+    EXPECT_EQ(read_contents(out_).cases.front().build_id, "build 1");
+    EXPECT_FALSE(std::filesystem::exists(parts_));
+}
+
 TEST_F(RunSweep, ARunStoppedBeforeItsFirstCaseWritesNothing) {
     std::stop_source stop;
     stop.request_stop();

@@ -119,10 +119,13 @@ TEST_F(RefusalTest, UnfinishedFile) {
 
 TEST_F(RefusalTest, ColumnsOfWrongShapeOrKind) {
     const auto with = [&](hid_t stored_type, const hdf5::Shape& shape) {
-        return reading(changed([&](hid_t open) {
+        const auto file = changed([&](hid_t open) {
             const hdf5::Group cases = hdf5::open_group(open, "cases");
             hdf5::create_dataset(cases.id(), {"odd", "1", "odd"}, stored_type, shape);
-        }));
+        });
+        const std::vector<Part> parts{{.file = file, .case_ids = {}}};
+        const std::vector<std::string> order{"a1"};
+        return error_of([&] { merge(path("all.h5"), sample_header(), parts, order); });
     };
     EXPECT_THAT(with(H5T_IEEE_F64LE, {2}), HasSubstr("/cases/odd: expected 1 rows as in case_id, found 2"));
     EXPECT_THAT(with(H5T_IEEE_F64LE, {1, 1}), HasSubstr("/cases/odd: expected one dimension"));

@@ -84,7 +84,7 @@ class Supervisor {
         if (post.batch.empty()) return;
         if (post.worker->closed()) {
             const Ending ending = post.worker->end();
-            if (ending.killed && post.batch.attempt < most_attempts) {
+            if (ending.killed() && post.batch.attempt < most_attempts) {
                 try_again(post);
             } else {
                 lose(post, Loss::crashed, fmt::format("its process ended with {}", ending.text));

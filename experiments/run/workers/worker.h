@@ -2,11 +2,12 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <sys/types.h>
+
+#include "common/process/child.h"
 
 namespace trocar {
 
@@ -20,12 +21,6 @@ struct Batch {
 /// Reports that a task is done, with a text for the supervisor.
 using ReportDone = std::function<void(const std::string&)>;
 
-/// How a process came to its end.
-struct Ending {
-    std::string text;     ///< "signal 11 (Segmentation fault)", or "exit code 1"
-    bool killed = false;  ///< by signal 9, which no process sends itself by accident
-};
-
 /// Does the tasks of a batch in their order, and reports after each.
 using DoBatch = std::function<void(const Batch&, const ReportDone&)>;
 
@@ -36,36 +31,29 @@ struct WorkerMessage {
 };
 
 /// A child process that is given batches. It is a copy of this process at the moment it is made, so it knows
-/// all that was loaded by then. It dies with this process.
+/// all that was loaded by then. It dies with this process, and with this object at the latest.
 class Worker {
   public:
     /// Forks. Throws std::system_error.
     explicit Worker(const DoBatch& work);
-    Worker(const Worker&) = delete;
-    Worker& operator=(const Worker&) = delete;
-    /// Kills it if it is still there.
-    ~Worker();
 
     /// Gives it a batch; it must have done the one before.
     void give(const Batch& batch);
 
     /// Readable when there is a message, or the worker has ended.
-    [[nodiscard]] int descriptor() const { return line_; }
-    [[nodiscard]] pid_t process() const { return process_; }
+    [[nodiscard]] int descriptor() const { return child_.line(); }
+    [[nodiscard]] pid_t process() const { return child_.process(); }
 
     /// The messages that are there; does not wait.
     std::vector<WorkerMessage> messages();
 
     /// Whether, as far as messages() has seen, it is at its end.
-    [[nodiscard]] bool closed() const { return closed_; }
+    [[nodiscard]] bool closed() const { return child_.closed(); }
     /// Kills it if it is still there, waits for its end and says how it ended.
-    Ending end();
+    Ending end() { return child_.end(); }
 
   private:
-    pid_t process_ = -1;
-    int line_ = -1;  // a socket; the other end is the child's
-    bool closed_ = false;
-    std::string received_;  // what came of the next message
+    Child child_;
 };
 
 }  // namespace trocar
