@@ -20,5 +20,11 @@ function(trocar_package)
             DESTINATION ${package_folder})
 
     install(TARGETS trocar)
+    # What `trocar reproduce` runs.
+    install(FILES ${CMAKE_SOURCE_DIR}/experiments/claims.toml
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/trocar/experiments)
+    install(DIRECTORY ${CMAKE_SOURCE_DIR}/experiments/claims
+            DESTINATION ${CMAKE_INSTALL_DATADIR}/trocar/experiments
+            FILES_MATCHING PATTERN "*.toml")
     install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endfunction()

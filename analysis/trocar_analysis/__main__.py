@@ -23,7 +23,7 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="show|compare|snapshot|scene|metrics|rules")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="show|compare|claims|snapshot|scene|metrics|rules")
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
@@ -79,6 +79,17 @@ def make_parser() -> argparse.ArgumentParser:
     style.add_argument("--markdown", action="store_true", help="a Markdown table")
     comparison.set_defaults(function=run_compare)
 
+    claims = commands.add_parser("claims", help="the paper's claims, judged on a result file")
+    claims.add_argument("claims", help="the claims and their conditions, TOML")
+    claims.add_argument("file", help="result file, as `trocar reproduce` wrote it")
+    claims.add_argument("--turns", metavar="FILE", help="how far answers turn for inputs that are almost the same, CSV")
+    claims.add_argument("--only", metavar="ID,…", help="these claims only")
+    claims.add_argument("--better", default="", metavar="METRIC=low|high,…", help="which way is better")
+    style = claims.add_mutually_exclusive_group()
+    style.add_argument("--json", action="store_true", help="every number, in full precision and the stored unit")
+    style.add_argument("--markdown", action="store_true", help="Markdown")
+    claims.set_defaults(function=run_claims)
+
     snapshot = commands.add_parser("snapshot", help="a picture of one step, strategies side by side")
     snapshot.add_argument("file", help="result file of a run with --replay")
     snapshot.add_argument(
@@ -129,8 +140,7 @@ def run_compare(arguments: argparse.Namespace) -> int:
     from .compare import Comparison, compare
 
     a = arguments
-    better = dict(word.split("=", 1) for word in a.better.split(",") if "=" in word)
-    asked = Comparison(a.only, names_of(a.by), a.metric, a.fail_on, better, style_of(a))
+    asked = Comparison(a.only, names_of(a.by), a.metric, a.fail_on, directions_of(a.better), style_of(a))
     table, judgement = compare(a.a, a.b, asked)
     sys.stdout.write(table)
     sys.stdout.flush()
@@ -139,6 +149,20 @@ def run_compare(arguments: argparse.Namespace) -> int:
     for line in judgement.not_evaluated:
         print(f"trocar: cannot evaluate {line}", file=sys.stderr)
     return 2 if judgement.not_evaluated else 1 if judgement.violated else 0
+
+
+def run_claims(arguments: argparse.Namespace) -> None:
+    from .claims.reproduce import reproduce
+
+    a = arguments
+    style = "json" if a.json else "markdown" if a.markdown else "text"
+    sys.stdout.write(reproduce(a.claims, a.file, a.turns, names_of(a.only), directions_of(a.better), style))
+    sys.stdout.flush()
+
+
+def directions_of(better: str) -> dict[str, str]:
+    """The argument of --better: metric → "low" or "high"."""
+    return dict(word.split("=", 1) for word in better.split(",") if "=" in word)
 
 
 def names_of(by: str | None) -> list[str] | None:

@@ -6,7 +6,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -15,31 +14,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "experiments/cli/shipped_files.h"
 #include "experiments/input_error.h"
 
 namespace trocar {
 namespace {
 
-namespace fs = std::filesystem;
-
 // Debian's own: another python3 may come first in PATH, without Debian's packages.
 constexpr const char* python = "/usr/bin/python3";
-
-bool holds_analysis(const fs::path& folder) { return fs::exists(folder / "trocar_analysis" / "__init__.py"); }
-
-/// The folder that the Python package lies in: beside an installed program, or in the tree it was built in.
-fs::path find_analysis() {
-    const fs::path program = fs::read_symlink("/proc/self/exe");
-    fs::path installed = program.parent_path().parent_path() / "share" / "trocar" / "analysis";
-    if (holds_analysis(installed)) return installed;
-    for (fs::path folder = program.parent_path(); folder.has_relative_path(); folder = folder.parent_path()) {
-        if (holds_analysis(folder / "analysis")) return folder / "analysis";
-    }
-    throw InputError(
-        fmt::format("the analysis (folder trocar_analysis) is neither in {} nor in a folder analysis "
-                    "above {}; build inside the source tree, or install",
-                    installed.string(), program.string()));
-}
 
 /// Whether a process ends with this signal by what it does itself, not by what others want.
 bool is_crash(int signal) {
@@ -66,7 +48,8 @@ int wait_for(pid_t child, const std::vector<std::string>& arguments) {
 }  // namespace
 
 int run_analysis(const std::vector<std::string>& arguments) {
-    std::string path = find_analysis().string();
+    std::string path =
+        find_shipped("analysis/trocar_analysis/__init__.py").parent_path().parent_path().string();
     if (const char* earlier = std::getenv("PYTHONPATH"); earlier != nullptr && *earlier != '\0') {
         path += fmt::format(":{}", earlier);
     }

@@ -9,9 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "experiments/cli/analysis_program.h"
+#include "experiments/cli/better_directions.h"
 #include "experiments/cli/commands.h"
-#include "experiments/metrics/metric.h"
-#include "experiments/run/case_series.h"
 
 namespace trocar {
 namespace {
@@ -29,16 +28,6 @@ constexpr const char* footer =
     "  trocar compare before.h5 after.h5 --metric depth_max --metric drag_mean --by label,speed\n"
     "  trocar compare before.h5 after.h5 --only label=mine --fail-on \"depth_max_d_max > +5%\" --fail-on "
     "outcomes";
-
-/// What the analysis cannot know from a file: "depth_max=low,edge_ratio_min=high,…".
-std::string better_directions() {
-    std::vector<std::string> words;
-    for (const Metric& metric : all_metrics()) {
-        words.push_back(fmt::format("{}={}", metric.name, metric.better));
-    }
-    for (const Series& time : empty_series({}).times) words.push_back(time.name + "=low");
-    return fmt::format("{}", fmt::join(words, ","));
-}
 
 struct CompareOptions {
     std::string before, after, by;

@@ -29,6 +29,7 @@ struct Program {
 void add_run(CLI::App& app, Program& program);
 void add_merge(CLI::App& app, Program& program);
 void add_list(CLI::App& app, Program& program);
+void add_reproduce(CLI::App& app, Program& program);
 void add_show(CLI::App& app, Program& program);
 void add_compare(CLI::App& app, Program& program);
 void add_snapshot(CLI::App& app, Program& program);

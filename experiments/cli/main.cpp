@@ -49,6 +49,7 @@ int run_program(int argc, char** argv) {
     app.footer(footer);
     app.require_subcommand(1);
     trocar::add_run(app, program);
+    trocar::add_reproduce(app, program);
     trocar::add_merge(app, program);
     trocar::add_list(app, program);
     trocar::add_show(app, program);

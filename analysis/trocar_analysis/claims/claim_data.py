@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 
+from ..conditions import excess
 from ..errors import InputError
 from ..store import ResultFile
 from ..subject import CASES, STATES
@@ -75,18 +76,12 @@ def values_of(condition: Condition, sources: Sources, release: str, confirmation
     of = both["value"].to_numpy(float)
     than = both["value_than"].to_numpy(float) if condition.than else np.full(len(of), np.nan)
     failed = both["failed"] | both["failed_than"] if condition.than else both["failed"]
-    values = difference(of, condition.times * than) if condition.than else of - condition.limit
+    values = excess(of, than, condition.times) if condition.than else excess(of, condition.limit)
     known = ~np.isnan(values)
     return Values(
         values[known], of[known], than[known], both["organ"].to_numpy()[known], both["seed"].to_numpy()[known],
         int(failed.sum()), int((~known).sum()),
     )  # fmt: skip
-
-
-def difference(of: np.ndarray, than: np.ndarray) -> np.ndarray:
-    """of − than; two that failed alike do not differ."""
-    same = of == than
-    return np.where(same, 0.0, np.where(same, 0.0, of) - np.where(same, 0.0, than))
 
 
 def figures(

@@ -137,7 +137,10 @@ def left_out(answer: Answer) -> str:
 
 
 def condition_text(condition: Condition, units: dict[str, str]) -> str:
-    own = {column: values for column, values in condition.of.items() if condition.than.get(column) != values}
+    own = {
+        column: values for column, values in condition.of.items()
+        if condition.than.get(column) != values or (column == "label" and column not in condition.each)
+    }
     other = {column: values for column, values in condition.than.items() if condition.of.get(column) != values}
     words = [" + ".join(condition.figure)]
     if condition.per:

@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..paired import bootstrap_interval, median, signed_rank
+from ..conditions import condition_interval
+from ..paired import median, signed_rank
 from .claim_data import Sources, Values, values_of
 from .claim_file import Claim, Condition
 
@@ -65,16 +66,15 @@ def judge(condition: Condition, values: Values) -> Judged:
     if n == 0:
         nothing = float("nan")
         return Judged(condition, 0, values.failed, values.lacking, *[nothing] * 5, 0, nothing, None)
-    low, high = bootstrap_interval(values.values, values.organs, values.seeds)
-    middle = median(values.values)
+    estimate = condition_interval(values.values, values.organs, values.seeds)
     single = int(on_side(condition, values.values).sum()) if condition.relation else 0
     holds = None
     if condition.relation:
         # With too few seeds for an interval nothing is said to hold.
-        holds = bool(np.all(on_side(condition, np.array([middle, low, high]))))
+        holds = bool(np.all(on_side(condition, np.array([estimate.median, estimate.low, estimate.high]))))
     return Judged(
         condition, n, values.failed, values.lacking, median(values.of),
-        median(values.than) if condition.than else float("nan"), middle, low, high, single,
+        median(values.than) if condition.than else float("nan"), estimate.median, estimate.low, estimate.high, single,
         signed_rank(values.values) if condition.than else float("nan"), holds,
     )  # fmt: skip
 
