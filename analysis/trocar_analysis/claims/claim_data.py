@@ -9,12 +9,12 @@ import pandas as pd
 
 from ..conditions import excess
 from ..errors import InputError
-from ..store import ResultFile
+from ..store import CONDITIONS, ResultFile
 from ..subject import CASES, STATES
 from .claim_file import Condition, Where
 
 # What a case was run with; two cases that agree in all but what a condition tells apart are a pair.
-RUN_KEYS = ("organ", "tool", "scene", "speed", "rate", "release", "fractions", "seed", "label", "run_label")
+RUN_KEYS = (*CONDITIONS, "label", "run_label")
 
 # An organ made by formula has its edge length in its name; those from files are the confirmation set.
 FORMULA = "@"
