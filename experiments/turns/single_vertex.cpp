@@ -17,7 +17,7 @@ constexpr std::uint64_t draw_patch = 0, draw_place = 1, draw_motion = 2, draw_li
 
 constexpr int fewest_facets = 5, most_facets = 7;
 constexpr double shortest_edge = 2, longest_edge = 5;  // mm
-constexpr double steepest = 40;                        // degrees
+constexpr double steepest = 75;                        // degrees
 constexpr double jitter = 0.6;                         // of a corner's direction, as a part of the angle
                                                        // between corners: they stay in order
 constexpr double furthest_from_axis = 3.5;             // mm
@@ -60,7 +60,7 @@ SurfaceMesh draw_patch_around(const Vec3& place, std::uint64_t seed) {
         const double rise = radians(between(-steepest, steepest, of_corner[1]));
         const double length = between(shortest_edge, longest_edge, of_corner[2]);
         const Vec3 level = across(normal, 2 * std::numbers::pi * turned / count);
-        patch.positions.push_back(place + length * (std::cos(rise) * level + std::sin(rise) * normal));
+        patch.positions.emplace_back(place + length * (std::cos(rise) * level + std::sin(rise) * normal));
         patch.facets.push_back({0, k + 1, (k + 1) % count + 1});
     }
     return patch;

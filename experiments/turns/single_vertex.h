@@ -25,7 +25,7 @@ struct SingleVertex {
     std::vector<Vec3> velocities;  ///< of the patch's vertices, mm/s: zero
 };
 
-/// Draws one: 5 to 7 facets, whose edges at the vertex rise or fall by up to 40° from a plane of random
+/// Draws one: 5 to 7 facets, whose edges at the vertex rise or fall by up to 75° from a plane of random
 /// direction; the vertex at a random place within 3.5 mm of the axis and 0.3 to 12 mm above the flat end.
 /// @param tool upright, with room for that, such as prism-12
 SingleVertex draw_single_vertex(std::shared_ptr<const Tool> tool, std::uint64_t seed);

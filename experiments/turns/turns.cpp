@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -28,8 +27,12 @@ constexpr std::size_t switch_stride = 30 * turns::steps_a_degree;  // of the mot
 
 /// What a strategy made of one motion.
 struct Answer {
-    std::optional<Vec3> direction;  // of the displacement; none where there is none
+    Vec3 direction = Vec3::Zero();  // of the displacement; zero where there is none
     bool weak = false;
+
+    [[nodiscard]] bool counts(bool with_weak) const {
+        return direction != Vec3::Zero() && (with_weak || !weak);
+    }
 };
 
 /// Of two answers, and how far on the walk it was.
@@ -67,15 +70,14 @@ std::vector<Answer> ask_all(const SingleVertex& vertex, const std::vector<Vec3>&
 }
 
 LargestTurn largest_turn(const std::vector<Answer>& answers, bool with_weak) {
-    const auto counts = [&](const Answer& answer) { return answer.direction && (with_weak || !answer.weak); };
     LargestTurn largest;
     for (std::size_t k = 0; k < answers.size(); ++k) {
-        if (!counts(answers[k])) continue;
+        if (!answers[k].counts(with_weak)) continue;
         const std::size_t end = std::min(k + turns::steps_a_degree + 1, answers.size());
         for (std::size_t next = k + 1; next < end; ++next) {
-            if (!counts(answers[next])) continue;
+            if (!answers[next].counts(with_weak)) continue;
             const double where = turns::step * static_cast<double>(k + next) / 2;
-            largest.offer(*answers[k].direction, *answers[next].direction, where);
+            largest.offer(answers[k].direction, answers[next].direction, where);
         }
     }
     return largest;
@@ -86,12 +88,12 @@ double largest_turn_at_switch(const SingleVertex& vertex, const std::vector<Vec3
     LargestTurn largest;
     for (const turns::Switch& one : turns::find_switches(vertex)) {
         for (std::size_t k = 0; k < motions.size(); k += switch_stride) {
-            const auto direction = [&](const std::vector<Vec3>& positions) {
+            const auto asked = [&](const std::vector<Vec3>& positions) {
                 return with_contact(vertex, {motions[k], positions},
-                                    [&](const Contact& c) { return ask(c, strategy, {}).direction; });
+                                    [&](const Contact& c) { return ask(c, strategy, {}); });
             };
-            const auto here = direction(one.positions[0]), next = direction(one.positions[1]);
-            if (here && next) largest.offer(*here, *next, 0);
+            const Answer here = asked(one.positions[0]), next = asked(one.positions[1]);
+            if (here.counts(true) && next.counts(true)) largest.offer(here.direction, next.direction, 0);
         }
     }
     return largest.degrees;
@@ -119,7 +121,7 @@ Turns measure_turns_at(const SingleVertex& vertex, Strategy& strategy, const Str
     const std::vector<Vec3> motions = turns::walk_of_motions(vertex);
     const std::vector<Answer> answers = ask_all(vertex, motions, strategy, strength);
     const LargestTurn largest = largest_turn(answers, false);
-    const auto compared = [](const Answer& answer) { return answer.direction && !answer.weak; };
+    const auto compared = [](const Answer& answer) { return answer.counts(false); };
     return {.label = {},
             .seed = 0,
             .largest_turn = largest.degrees,

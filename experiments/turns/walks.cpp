@@ -15,7 +15,7 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 std::vector<Vec3> shifted(const std::vector<Vec3>& positions, const Vec3& by) {
     std::vector<Vec3> result;
     result.reserve(positions.size());
-    for (const Vec3& position : positions) result.push_back(position + by);
+    for (const Vec3& position : positions) result.emplace_back(position + by);
     return result;
 }
 

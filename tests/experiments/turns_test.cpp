@@ -1,15 +1,11 @@
 #include "experiments/turns/turns.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "common/tool/tool_shapes.h"
 #include "experiments/turns/walks.h"
 #include "results/store.h"
 #include "strategies/fuzzy/rules_option.h"
@@ -17,11 +13,11 @@
 #include "strategies/motion_vector.h"
 #include "strategies/registry.h"
 #include "tests/experiments/sweep_folder.h"
+#include "tests/experiments/turning_vertex.h"
 
 namespace trocar {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr std::int64_t motions = 12 * 180 * 4 + 1;
 
 /// A strategy made up on the spot: where the vertex goes.
@@ -40,97 +36,14 @@ class MadeUp final : public Strategy {
     Way way_;
 };
 
-turns::SingleVertex vertex_of(std::uint64_t seed) {
-    static const auto tool = std::make_shared<const Tool>(make_prism(12));
-    return turns::draw_single_vertex(tool, seed);
-}
-
 Turns turns_of(const MadeUp::Way& way, const Strength& strength = {}, std::uint64_t seed = 1) {
     MadeUp strategy(way);
     return measure_turns_at(vertex_of(seed), strategy, strength);
 }
 
-Vec3 turned(double degrees) { return {std::cos(degrees * degree), std::sin(degrees * degree), 0}; }
-
 StrategyChoice choice(const std::string& name) {
     return {
         .name = name, .label = name, .options = resolve_options(find_strategy(name).description.options, {})};
-}
-
-std::vector<std::uint64_t> seeds_to(std::uint64_t last) {
-    std::vector<std::uint64_t> seeds;
-    for (std::uint64_t seed = 1; seed <= last; ++seed) seeds.push_back(seed);
-    return seeds;
-}
-
-double angle_between(const Vec3& a, const Vec3& b) {
-    return std::acos(std::clamp(a.dot(b), -1.0, 1.0)) / degree;
-}
-
-TEST(SingleVertex, IsOneVertexInsideTheToolWithAProperRing) {
-    for (const std::uint64_t seed : seeds_to(200)) {
-        const auto vertex = vertex_of(seed);
-        const auto& [positions, facets] = vertex.organ.rest;
-        EXPECT_TRUE(PlacedTool(*vertex.tool, Pose{}).contains(positions[0]));
-        const std::size_t around = vertex.organ.adjacency.ring(0).size();
-        EXPECT_EQ(around, facets.size());
-        EXPECT_TRUE(around >= 5 && around <= 7) << around;
-        EXPECT_FALSE(vertex.organ.adjacency.on_boundary(0));
-        Vec3 sum = Vec3::Zero();
-        for (const Vec3& normal : vertex.organ.rest_normals) sum += normal;
-        for (const Vec3& normal : vertex.organ.rest_normals) EXPECT_GT(normal.dot(sum), 0);
-        for (std::size_t k = 1; k < positions.size(); ++k) {
-            const double edge = (positions[k] - positions[0]).norm();
-            EXPECT_TRUE(edge > 2 - 1e-9 && edge < 5 + 1e-9) << edge;
-        }
-    }
-}
-
-TEST(SingleVertex, HasTheMotionThatItIsGiven) {
-    const auto vertex = vertex_of(1);
-    with_contact(vertex, {vertex.first_side, vertex.organ.rest.positions}, [&](const Contact& contact) {
-        EXPECT_TRUE(motion_vector(contact, contact.positions[0]).value().isApprox(vertex.first_side, 1e-12));
-        EXPECT_EQ(contact.tool.pose().position, Vec3::Zero());
-        EXPECT_EQ(contact.near_facets.size(), contact.organ.rest.facets.size());
-        EXPECT_EQ(contact.near_vertices.size(), contact.organ.rest.positions.size());
-    });
-}
-
-TEST(WalkOfMotions, GoesByAQuarterOfADegreePastEveryDirection) {
-    const auto walk = turns::walk_of_motions(vertex_of(1));
-    ASSERT_EQ(walk.size(), motions);
-    for (std::size_t k = 0; k + 1 < walk.size(); ++k) {
-        ASSERT_NEAR(walk[k].norm(), 1, 1e-12);
-        ASSERT_NEAR(angle_between(walk[k], walk[k + 1]), 0.25, 1e-6);
-    }
-    EXPECT_TRUE(walk.front().isApprox(walk.back(), 1e-12));
-    for (const std::uint64_t seed : seeds_to(50)) {
-        const Vec3 any = vertex_of(seed).line;
-        double nearest = 180;
-        for (const Vec3& motion : walk) nearest = std::min(nearest, angle_between(any, motion));
-        EXPECT_LT(nearest, 15.2);
-    }
-}
-
-TEST(FindSwitches, FindsWhereAnotherSideOfThePrismIsNearest) {
-    // Of a prism of 12 sides: the largest of x · n_k − r cos 15° and the two ends' −z and z − 80.
-    const auto nearest = [](const Vec3& x) {
-        std::vector<double> heights{-x.z(), x.z() - 80};
-        for (int k = 0; k < 12; ++k) {
-            heights.push_back(turned(15 + 30 * k).dot(x) - 4 * std::cos(15 * degree));
-        }
-        return std::ranges::max_element(heights) - heights.begin();
-    };
-    for (const std::uint64_t seed : seeds_to(20)) {
-        const auto vertex = vertex_of(seed);
-        const auto switches = turns::find_switches(vertex);
-        EXPECT_FALSE(switches.empty());
-        for (const auto& [positions] : switches) {
-            EXPECT_NE(nearest(positions[0][0]), nearest(positions[1][0])) << seed;
-            for (std::size_t k = 0; k < positions[0].size(); ++k)
-                EXPECT_NEAR((positions[1][k] - positions[0][k]).norm(), 0.01, 1e-9);
-        }
-    }
 }
 
 TEST(Turns, AStrategyThatFollowsTheMotionTurnsByADegree) {
@@ -159,7 +72,7 @@ TEST(Turns, AStrategyThatFlipsTurnsByWhatItFlips) {
         EXPECT_NEAR(turns.largest_turn, 37, 1e-9);
         EXPECT_EQ(turns.largest_turn_at_switch, 0);
         const auto walk = turns::walk_of_motions(vertex_of(seed));
-        const Vec3 there = walk.at(static_cast<std::size_t>(turns.at * 4));
+        const Vec3& there = walk.at(static_cast<std::size_t>(turns.at * 4));
         EXPECT_NEAR(angle_between(there, Vec3::UnitZ()), 70, 1);
     }
 }
@@ -226,15 +139,19 @@ double allowed_turn(double turn, double strength, std::size_t facets) {
     return std::asin(std::min(1.0, moved / strength)) / degree;
 }
 
+std::vector<fuzzy::FacetNormal> ring_of(const turns::SingleVertex& vertex) {
+    std::vector<fuzzy::FacetNormal> facets;
+    for (const Index k : vertex.organ.adjacency.ring(0)) facets.push_back({k, vertex.organ.rest_normals[k]});
+    return facets;
+}
+
 TEST(Turns, FuzzyTurnsByNoMoreThanItsBound) {
     const fuzzy::Inference inference(fuzzy::rules_of(choice("fuzzy-per-vertex").options));
     int bounded = 0;
     for (const std::uint64_t seed : seeds_to(20)) {
         const auto vertex = vertex_of(seed);
         const auto strategy = make_strategy("fuzzy-per-vertex");
-        std::vector<fuzzy::FacetNormal> facets;
-        for (const Index k : vertex.organ.adjacency.ring(0))
-            facets.push_back({k, vertex.organ.rest_normals[k]});
+        const auto facets = ring_of(vertex);
         const auto walk = turns::walk_of_motions(vertex);
         std::vector<Vec3> answers;
         for (const Vec3& motion : walk) {
@@ -255,14 +172,14 @@ TEST(Turns, FuzzyTurnsByNoMoreThanItsBound) {
     EXPECT_GT(bounded, 1000);
 }
 
-TEST(Turns, OfFuzzyCountsTheInputsWhoseVectorIsShort) {
+TEST(Turns, OfFuzzyLeavesOutTheInputsWhoseVectorIsShort) {
     const std::vector<StrategyChoice> fuzzy{choice("fuzzy-per-vertex")};
     const fuzzy::Inference inference(fuzzy::rules_of(fuzzy[0].options));
-    for (const Turns& row : measure_turns(fuzzy, seeds_to(5))) {
+    const std::vector<std::uint64_t> seeds{151, 1};  // a ring that is nearly folded, and one like most
+    const auto rows = measure_turns(fuzzy, seeds);
+    for (const Turns& row : rows) {
         const auto vertex = vertex_of(row.seed);
-        std::vector<fuzzy::FacetNormal> facets;
-        for (const Index k : vertex.organ.adjacency.ring(0))
-            facets.push_back({k, vertex.organ.rest_normals[k]});
+        const auto facets = ring_of(vertex);
         std::int64_t weak = 0;
         for (const Vec3& motion : turns::walk_of_motions(vertex)) {
             const Vec3 vector = fuzzy::vertex_vector(inference, {}, motion, facets);
@@ -270,8 +187,10 @@ TEST(Turns, OfFuzzyCountsTheInputsWhoseVectorIsShort) {
         }
         EXPECT_EQ(row.weak, weak);
         EXPECT_EQ(row.inputs, motions - weak);
-        EXPECT_LE(row.largest_turn, row.largest_turn_with_weak);
     }
+    EXPECT_GT(rows[0].weak, 0);
+    EXPECT_GT(rows[0].largest_turn_with_weak, rows[0].largest_turn);
+    EXPECT_EQ(rows[1].largest_turn_with_weak, rows[1].largest_turn);
 }
 
 std::vector<StrategyChoice> every_strategy() {
