@@ -8,7 +8,8 @@ namespace trocar {
 struct PlacementRule {
     double depth;       ///< mm that the tool goes below the surface
     bool thin = false;  ///< where the opposite wall is nearer than twice the depth, instead of not there
-    double aside = 0;   ///< mm that the tool goes along the tangent
+    double aside = 0;   ///< mm that the tool goes straight along the tangent
+    double along = 0;   ///< mm that it goes along the surface (see surface_way)
 };
 
 /// Where the seed puts the tool: an entry point drawn uniformly by area (on a sheet by the area of its
