@@ -23,6 +23,11 @@ namespace {
 
 constexpr std::uint64_t most_draws = 10'000;
 
+/// A tip that goes along the surface is at least this part of its depth from it. Where the surface is bent or
+/// rough within two tool radii the mean normal does not point straight out of it; in the middle of a rim as
+/// wide as the tool a tip "below" the surface is as near to the walls, or outside.
+constexpr double least_depth = 0.5;
+
 /// A point of the organ at rest and the facet it lies on.
 struct EntryPoint {
     Vec3 position;
@@ -119,20 +124,27 @@ bool clear_of_organ(const SceneInputs& inputs, std::vector<Pose> poses) {
     return std::ranges::none_of(window_of(inputs, poses), std::identity());
 }
 
-/// Where the tool goes along the surface, the entry point first. None where it cannot, or where some point of
-/// the way is not what an entry point has to be.
-std::optional<std::vector<Pose>> way_along(const SceneInputs& inputs, const PlacementRule& rule,
-                                           const Placement& at) {
-    std::vector<Pose> stations{upright_pose(at, at.entry)};
-    const auto way = surface_way(inputs, stations.front(), rule.along);
+/// Whether a tool can go by that stands `rule.depth` below this point of the surface, upright on it.
+bool can_go_by(const SceneInputs& inputs, const PlacementRule& rule, const Pose& on_surface) {
+    const Vec3& point = on_surface.position;
+    const Vec3 normal = on_surface.rotation.col(2);
+    return !near_boundary(inputs.organ, point, 2 * inputs.tool.radius) &&
+           thick_as_asked(inputs, rule, point, normal) &&
+           inputs.organ_queries.distance(point - rule.depth * normal) >= least_depth * rule.depth;
+}
+
+/// The poses on the surface of a tool that goes along it as the rule says, the entry point first. None where
+/// it cannot.
+std::optional<std::vector<Pose>> stations(const SceneInputs& inputs, const PlacementRule& rule,
+                                          const Placement& at) {
+    const Pose entry = upright_pose(at, at.entry);
+    if (rule.along == 0) return std::vector{entry};
+    auto way = surface_way(inputs, entry, rule.along);
     if (!way) return std::nullopt;
-    const bool suited = std::ranges::all_of(*way, [&](const Pose& pose) {
-        return !near_boundary(inputs.organ, pose.position, 2 * inputs.tool.radius) &&
-               thick_as_asked(inputs, rule, pose.position, pose.rotation.col(2));
-    });
-    if (!suited) return std::nullopt;
-    stations.insert(stations.end(), way->begin(), way->end());
-    return stations;
+    way->insert(way->begin(), entry);
+    const bool suited =
+        std::ranges::all_of(*way, [&](const Pose& pose) { return can_go_by(inputs, rule, pose); });
+    return suited ? way : std::nullopt;
 }
 
 std::string no_place(const SceneInputs& inputs, const PlacementRule& rule) {
@@ -168,8 +180,8 @@ Placement place(const SceneInputs& inputs, const PlacementRule& rule) {
         if (way_near_boundary(organ, entry, entry + rule.aside * tangent, reach)) continue;
         if (!thick_as_asked(inputs, rule, entry, normal)) continue;
         const Placement placement{.entry = entry, .normal = normal, .tangent = tangent, .phase = free[1]};
-        const auto stations = way_along(inputs, rule, placement);
-        if (stations && clear_of_organ(inputs, *stations)) return placement;
+        const auto way = stations(inputs, rule, placement);
+        if (way && clear_of_organ(inputs, *way)) return placement;
     }
     throw PlacementError(no_place(inputs, rule));
 }

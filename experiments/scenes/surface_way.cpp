@@ -10,10 +10,10 @@
 namespace trocar {
 namespace {
 
-constexpr double step = 1;                               // mm, in the tangent plane
-constexpr double least_advance = 0.5, most_advance = 2;  // mm, of a step along the surface
-constexpr double largest_turn = std::numbers::pi / 6;    // rad a step
-constexpr double negligible = 1e-9;                      // mm
+constexpr double step = 1;                             // mm, in the tangent plane
+constexpr double least_advance = 0.5;                  // mm, of a step along the surface
+constexpr double largest_turn = std::numbers::pi / 6;  // rad a step
+constexpr double negligible = 1e-9;                    // mm
 
 /// A step ahead in the tangent plane, put back on the surface.
 Pose step_ahead(const SceneInputs& inputs, const Pose& from) {
@@ -25,9 +25,8 @@ Pose step_ahead(const SceneInputs& inputs, const Pose& from) {
 }
 
 bool follows(const Pose& from, const Pose& to) {
-    const double advance = (to.position - from.position).norm();
-    const double turn_cosine = from.rotation.col(2).dot(to.rotation.col(2));
-    return advance >= least_advance && advance <= most_advance && turn_cosine >= std::cos(largest_turn);
+    return (to.position - from.position).norm() >= least_advance &&
+           from.rotation.col(2).dot(to.rotation.col(2)) >= std::cos(largest_turn);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace trocar {
 /// its x axis points along the way. From one to the next the tool turns by the smallest rotation from normal
 /// to normal, so the way is as straight as the surface lets it be.
 ///
-/// None where the surface cannot be followed so: where a step along it leads less than half a millimetre or
-/// more than two further (it ends in an edge, or another sheet of it is nearer), or the normal turns by more
-/// than 30 degrees in a step.
+/// None where the surface cannot be followed so: where a step leads less than half a millimetre further (the
+/// surface ends there, or falls away steeply), or turns the normal by more than 30 degrees (over a sharp rim,
+/// or from one wall to another).
 std::optional<std::vector<Pose>> surface_way(const SceneInputs& inputs, const Pose& start, double length);
 
 }  // namespace trocar
