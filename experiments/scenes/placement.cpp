@@ -153,11 +153,13 @@ std::string no_place(const SceneInputs& inputs, const PlacementRule& rule) {
                                    : fmt::format("{:.4g} mm from the boundary, ", 2 * inputs.tool.radius);
     const std::string wall = rule.thin ? fmt::format("opposite a wall nearer than {:.4g} mm", 2 * rule.depth)
                                        : fmt::format("at least {:.4g} mm thick", 2 * rule.depth);
+    const std::string along =
+        rule.along == 0 ? "" : fmt::format(", for {:.4g} mm along the surface", rule.along);
     const std::string remedy = rule.thin ? "a thinner organ (tube, cleft, or a smaller \"size\")"
                                          : "a larger organ (its \"size\") or a slimmer tool";
     return fmt::format(
-        "seed {}: none of {} points drawn on organ \"{}\" is {}{} and free for the tool to come in; use {}",
-        inputs.seed, most_draws, inputs.organ.name, inland, wall, remedy);
+        "seed {}: none of {} points drawn on organ \"{}\" is {}{} and free for the tool to come in{}; use {}",
+        inputs.seed, most_draws, inputs.organ.name, inland, wall, along, remedy);
 }
 
 }  // namespace
