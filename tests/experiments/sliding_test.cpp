@@ -31,10 +31,10 @@ Vec3 above(const Pose& pose) { return pose.position + 3 * axis(pose); }
 
 /// `sliding` laid out, and the poses of its slide, the start first.
 struct Slide {
-    Slide(const Stage& stage, double speed, std::uint64_t seed)
-        : inputs(stage.inputs(speed, seed)), at(find_scene("sliding").place(inputs)) {
+    explicit Slide(const SceneInputs& given) : inputs(given), at(find_scene("sliding").place(inputs)) {
         lay_out();
     }
+    Slide(const Stage& stage, double speed, std::uint64_t seed) : Slide(stage.inputs(speed, seed)) {}
     void lay_out() {
         plan = find_scene("sliding").plan(inputs, at);
         const auto held = std::ranges::adjacent_find(
@@ -187,7 +187,8 @@ TEST(Sliding, GoesStraightOnASheet) {
 }
 
 TEST(Sliding, HasNoPlaceOnATubeWhoseWallIsThinnerThanTwiceItsDepth) {
-    const Stage tube("tube@8mm");
+    // Without a least depth of the tip it would go around the rims, in and out of the wall.
+    const Stage tube("tube@4mm");
     const std::string reason = unsuited(find_scene("sliding"), tube.inputs(100, 1));
     EXPECT_THAT(reason, testing::HasSubstr("at least 6 mm thick"));
     EXPECT_THAT(reason, testing::HasSubstr("for 30 mm along the surface"));
@@ -200,14 +201,35 @@ TEST(Sliding, TheWholeWayIsAsTheEntryPointHasToBe) {
         for (const Pose& pose : on_sheet.poses) {
             EXPECT_LE(above(pose).head<2>().cwiseAbs().maxCoeff(), 60 - 8 + 0.1) << "two radii inland";
         }
-        for (Pose pose : on_liver.poses) {
-            const auto through = liver.queries.distance_to_exit(pose.position, -axis(pose), 0);
+        std::vector<Pose> clear = on_liver.poses;
+        for (Pose& pose : clear) pose.position = above(pose) + 3 * axis(pose);
+        EXPECT_THAT(window_of(on_liver.inputs, clear), testing::Each(false)) << "no other wall in the way";
+    }
+}
+
+TEST(Sliding, StaysWhereTheOrganIsTwiceAsThickAsItIsDeep) {
+    Stage lens("sphere@4mm");
+    SurfaceMesh squashed = lens.organ.rest;
+    for (Vec3& position : squashed.positions) position = position.cwiseProduct(Vec3(3, 3, 0.12));  // 9.6 mm
+    lens.organ = make_organ("lens", squashed);
+    const SurfaceQueries queries(lens.organ.rest);
+    double thinnest = 99;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        const SceneInputs given = lens.inputs(20, seed);
+        const SceneInputs inputs{.organ = lens.organ,
+                                 .organ_queries = queries,
+                                 .tool = lens.tool,
+                                 .speed = given.speed,
+                                 .dt = given.dt,
+                                 .seed = seed};
+        for (const Pose& pose : Slide(inputs).poses) {
+            const auto through = queries.distance_to_exit(pose.position, -axis(pose), 0);
             ASSERT_TRUE(through);
-            EXPECT_GE(*through, 3 - 0.3) << "6 mm of organ below the surface";
-            pose.position = above(pose) + 3 * axis(pose);
-            EXPECT_FALSE(window_of(on_liver.inputs, {pose}).front()) << "no other wall in the tool's way";
+            thinnest = std::min(thinnest, 3 + *through);
         }
     }
+    EXPECT_GT(thinnest, 6 - 0.1);
+    EXPECT_LT(thinnest, 7) << "it was put to the test";
 }
 
 TEST(SurfaceWay, EndsWhereTheSurfaceEnds) {
