@@ -1,3 +1,4 @@
+#include <stdexcept>
 #include <vector>
 
 #include "common/tool/walk.h"
@@ -25,13 +26,14 @@ Pose at_height(Pose pose, double height) {
 
 ScenePlan plan(const SceneInputs& inputs, const Placement& at) {
     const Pose entry = upright_pose(at, at.entry), start = at_height(entry, -depth);
-    std::vector<Pose> way = surface_way(inputs, entry, along).value();
-    const Pose end = way.back();
-    for (Pose& pose : way) pose = at_height(pose, -depth);
+    const auto way = surface_way(inputs, entry, along);
+    if (!way) throw std::invalid_argument("sliding: not its own placement, whose way can be followed");
+    std::vector<Pose> below;
+    for (const Pose& pose : *way) below.push_back(at_height(pose, -depth));
     Walk walk(start, inputs.speed, inputs.dt, at.phase);
-    walk.go_along(way);
+    walk.go_along(below);
     walk.stay(hold_s);
-    walk.go_to(at_height(end, clear).position);
+    walk.go_to(at_height(way->back(), clear).position);
     walk.stay(rest_s);
     return {.start = start, .poses = walk.poses(), .insertion = inserted(at, depth)};
 }
