@@ -1,14 +1,14 @@
 """The verdicts on the paper's claims once more, on another path: each claim written out by hand, as experiments/claims.toml and
 results/README.md state it, with h5py, pandas and numpy alone. To be read from top to bottom, as a notebook.
 
-/usr/bin/python3 claims_again.py OUT.h5 [--only C1,C7] [--against VERDICTS.json]
+/usr/bin/python3 claims_again.py OUT.h5 [--turns OUT.turns.csv] [--against VERDICTS.json]
 
 Prints what each condition comes to. With --against, what `trocar reproduce --json` printed of the same file, it compares: medians
 to 1e-9, verdicts to the word, counts to the unit, intervals within what two sets of random draws may differ by. Exit code 1 where
 anything differs.
 """
 
-import json
+import argparse
 import math
 import sys
 
@@ -16,16 +16,15 @@ import h5py
 import numpy as np
 import pandas as pd
 
+from again.against import compare
+from again.interval import estimate
+
 THREE_ORGANS = ["sphere@4mm", "gallbladder@2mm", "liver@4mm"]  # of penetration.toml, sliding.toml and grasper.toml
 CLEFTS = ["cleft@3mm", "cleft@4mm", "cleft@6mm"]
 EVERY_ORGAN = ["sheet@4mm", "rough-sheet@4mm", "sphere@4mm", "tube@4mm", "gallbladder@2mm", "liver@4mm", "cleft@4mm"]
 EVERY_STRATEGY = ["fuzzy-per-vertex", "nearest-face", "cylinder-axis", "average-plane", "joint-vertex", "tool-facet"]
 SLOW, MODERATE, RAPID = 20, 100, 400  # mm/s
 SPEEDS = [SLOW, MODERATE, RAPID]
-
-FEWEST_SEEDS = 12
-RESAMPLES = 20_000
-THEIR_RESAMPLES = 10_000  # the program's
 
 
 # ---- Reading the file
@@ -61,80 +60,15 @@ def read_results(path):
     return runs, answers
 
 
-# ---- The interval of a median: seeds are drawn within organs
-
-
-def students_t(probability, degrees):
-    """Where Student's t distribution has `probability`, more than half, below it: its density summed up finely."""
-    x = np.linspace(0, 100, 2_000_001)
-    density = (1 + x**2 / degrees) ** (-(degrees + 1) / 2)
-    whole = math.exp(math.lgamma((degrees + 1) / 2) - math.lgamma(degrees / 2)) / math.sqrt(degrees * math.pi)
-    below = 0.5 + whole * np.cumsum((density[1:] + density[:-1]) / 2 * (x[1] - x[0]))
-    return x[1:][np.searchsorted(below, probability)]
-
-
-def tail_of(degrees, known={}):
-    """The part of the resamples beyond either end: as far out as t's 2.5 % are, on a normal distribution."""
-    if degrees not in known:
-        known[degrees] = math.erfc(students_t(0.975, degrees) / math.sqrt(2)) / 2
-    return known[degrees]
-
-
-def resampled_medians(values, organs, seeds):
-    """The lower and the upper median of `values` in each resample, both sorted, and the tail beyond the interval's ends; None
-    where seeds are too few. Of an organ's m seeds m - 1 are drawn with replacement and count m / (m - 1) each."""
-    seeds_of = {organ: sorted(set(seeds[organs == organ])) for organ in sorted(set(organs))}
-    several = [len(of_organ) for of_organ in seeds_of.values() if len(of_organ) > 1]
-    if sum(several) < FEWEST_SEEDS:
-        return None
-    whole = math.lcm(*(m - 1 for m in several))  # weights as whole numbers: half of them is then exact
-    generator = np.random.default_rng(1)
-    weights = {}  # of an organ's seed: how much it counts in each resample
-    for organ, of_organ in seeds_of.items():
-        m = len(of_organ)
-        drawn = generator.multinomial(m - 1, np.full(m, 1 / m), size=RESAMPLES) if m > 1 else None
-        for k, seed in enumerate(of_organ):
-            weights[organ, seed] = drawn[:, k] * m * (whole // (m - 1)) if m > 1 else np.full(RESAMPLES, whole)
-    order = np.argsort(values, kind="stable")
-    values, rows = values[order], [weights[organs[k], seeds[k]] for k in order]
-    lower, upper = np.empty(RESAMPLES), np.empty(RESAMPLES)
-    for first in range(0, RESAMPLES, 1000):
-        part = slice(first, first + 1000)
-        so_far = np.cumsum([row[part] for row in rows], axis=0)
-        lower[part] = values[np.argmax(2 * so_far >= so_far[-1], axis=0)]
-        upper[part] = values[np.argmax(2 * so_far > so_far[-1], axis=0)]
-    return np.sort(lower), np.sort(upper), tail_of(sum(several) - len(several))
-
-
-def middle(values):
-    """The median. Midway between -inf and inf lies 0."""
-    values = np.sort(values)
-    low, high = values[(len(values) - 1) // 2], values[len(values) // 2]
-    return low if low == high else 0.0 if math.isinf(low) and math.isinf(high) else (low + high) / 2
-
-
-def estimate(values, organs, seeds):
-    """Median and interval of `values`, and between what the ends of an interval from other draws have to lie."""
-    found = {"n": len(values), "median": middle(values) if len(values) else math.nan, "low": math.nan, "high": math.nan}
-    drawn = resampled_medians(values, organs, seeds)
-    if drawn is None:
-        return found
-    lower, upper, tail = drawn
-    margin = 4.5 * math.sqrt(tail * (1 - tail) * (1 / THEIR_RESAMPLES + 1 / RESAMPLES))
-    ranks = [max(0, round(part * RESAMPLES)) for part in (tail - margin, tail, tail + margin)]
-    found["low"], found["high"] = lower[ranks[1]], upper[-1 - ranks[1]]
-    found["low_between"] = lower[max(0, ranks[0] - 1)], lower[ranks[2] + 1]
-    found["high_between"] = upper[-2 - ranks[2]], upper[min(-1, -ranks[0])]
-    return found
-
-
 # ---- A condition: median and interval lie on one side of what they are compared with. Too few seeds never do.
 
 
 def lies(found, side, limit):
+    if math.isnan(found["low"]):
+        return False
     ends = np.array([found["low"], found["median"], found["high"]])
     on_side = {"<": ends < limit, "<=": ends <= limit, ">": ends > limit, ">=": ends >= limit}[side]
-    return bool(on_side.all())  # NaN, where there is no interval, lies on no side
+    return bool(on_side.all())
 
 
 judged = []  # a row for each condition, value of `each` and release
@@ -150,6 +84,17 @@ def judge(claim, condition, release, each, cases, values, side=None, limit=0.0):
     judged.append(found | {"holds": lies(found, side, limit) if side else None})
 
 
+def of_whole_runs(answers, figure, per=()):
+    """The states of one run are not independent of each other: a run and who answered make one value. Over the states of
+    which all figures exist, it is the mean of the figures' sum, divided by that of `per` where it is given. An answer that
+    failed makes it a failure: the worst stays the worst in a mean."""
+    columns = [*figure, *per]
+    means = answers.dropna(subset=columns).groupby(OF_ANSWERS, as_index=False)[columns].mean()
+    value = means[list(figure)].sum(axis=1) / (means[list(per)].sum(axis=1) if per else 1)
+    everyone = answers[OF_ANSWERS].drop_duplicates()
+    return everyone.merge(means.assign(value=value), on=OF_ANSWERS, how="left", validate="one_to_one")
+
+
 def side_by_side(of, than, keys):
     """Rows of two tables that agree in `keys`; columns of the second end in _than."""
     return of.merge(than, on=keys, suffixes=("", "_than"), validate="one_to_one")
@@ -163,18 +108,18 @@ def excess(a, b, times=1.0):
 
 
 SAME_RUN = ["scene", "organ", "tool", "speed", "seed"]  # what runs that differ in the strategy have in common
-SAME_STATE = ["case_id", "step"]
+SAME_STATES = [*SAME_RUN, "run_label"]  # the run in which the states were found that both answered to
+OF_ANSWERS = [*SAME_STATES, "label"]
 
 
 # ---- The claims
 
 
 def judge_claims(runs, answers, release):
-    runs = runs[runs.release == release]
-    prism, three = runs[runs.tool == "prism-12"], runs.organ.isin(THREE_ORGANS)
-    penetration = prism[(prism.scene == "penetration") & three]
-    sliding = prism[(prism.scene == "sliding") & three]
-    cutting = prism[(prism.scene == "cutting") & runs.organ.isin(CLEFTS)]
+    prism = runs[(runs.release == release) & (runs.tool == "prism-12")]
+    penetration = prism[(prism.scene == "penetration") & prism.organ.isin(THREE_ORGANS)]
+    sliding = prism[(prism.scene == "sliding") & prism.organ.isin(THREE_ORGANS)]
+    cutting = prism[(prism.scene == "cutting") & prism.organ.isin(CLEFTS)]
 
     # C1 and C2: fuzzy leaves no interpenetration, going in and sliding along.
     for claim, motion in (("C1", penetration), ("C2", sliding)):
@@ -231,45 +176,103 @@ def judge_claims(runs, answers, release):
     three = answers[answers.organ.isin(THREE_ORGANS)]
     prism = three[three.tool == "prism-12"]
 
-    def same_states(cases, one, other):
-        return side_by_side(cases[cases.label == one], cases[cases.label == other], SAME_STATE)
+    def more_than_fuzzy(here, label, figure, per=()):
+        """Runs with what `label` and fuzzy-per-vertex answered to the same states, and by how much the former's is more."""
+        here = here[here.label.isin([label, "fuzzy-per-vertex"])]
+        values = of_whole_runs(here, figure, per)
+        both = side_by_side(values[values.label == label], values[values.label == "fuzzy-per-vertex"], SAME_STATES)
+        return both, excess(both.value, both.value_than)
 
     for speed in SPEEDS:
         # C3: sliding treated as penetration pulls vertices together.
         here = prism[(prism.scene == "sliding") & (prism.speed == speed)]
-        both = same_states(here, "fuzzy, always penetration", "fuzzy-per-vertex")
-        judge("C3", 1, release, {"speed": speed}, both, excess(both.edge_ratio_mean_h, both.edge_ratio_mean_h_than), "<")
-        judge("C3", 2, release, {"speed": speed}, both, excess(both.drag, both.drag_than), ">")
+        always = "fuzzy, always penetration"
+        judge("C3", 1, release, {"speed": speed}, *more_than_fuzzy(here, always, ["edge_ratio_mean_h"]), "<")
+        judge("C3", 2, release, {"speed": speed}, *more_than_fuzzy(here, always, ["drag"]), ">")
 
         # C4, first condition: joint displacement moves vertices further.
         for scene in ("penetration", "sliding"):
             here = prism[(prism.scene == scene) & (prism.speed == speed)]
-            both = same_states(here, "joint-vertex", "fuzzy-per-vertex")
-            further = excess(both.displacement_mean, both.displacement_mean_than)
-            judge("C4", 1, release, {"scene": scene, "speed": speed}, both, further, ">")
+            further = more_than_fuzzy(here, "joint-vertex", ["displacement_mean"])
+            judge("C4", 1, release, {"scene": scene, "speed": speed}, *further, ">")
 
         # C8: with tool-facet displacement vectors cross.
         for tool in ("prism-12", "grasper"):
             here = three[(three.scene == "penetration") & (three.tool == tool) & (three.speed == speed)]
-            both = same_states(here, "tool-facet", "fuzzy-per-vertex")
-            a = both.displacement_crossings / both.collided_vertices
-            b = both.displacement_crossings_than / both.collided_vertices_than
-            judge("C8", 1, release, {"tool": tool, "speed": speed}, both, excess(a, b), ">")
+            crossing = more_than_fuzzy(here, "tool-facet", ["displacement_crossings"], ["collided_vertices"])
+            judge("C8", 1, release, {"tool": tool, "speed": speed}, *crossing, ">")
 
         # C10: the average plane leaves facets across the tool.
         here = prism[(prism.scene == "penetration") & (prism.speed == speed)]
-        both = same_states(here, "average-plane", "fuzzy-per-vertex")
-        a = both.facets_crossing_h / both.collided_vertices
-        b = both.facets_crossing_h_than / both.collided_vertices_than
-        judge("C10", 1, release, {"speed": speed}, both, excess(a, b), ">")
+        crossing = more_than_fuzzy(here, "average-plane", ["facets_crossing_h"], ["collided_vertices"])
+        judge("C10", 1, release, {"speed": speed}, *crossing, ">")
 
-        # C9: on a rough sheet facets cross, on a flat one less. The states of the two are not the same, so that what is
-        # paired is a run's mean over its states.
+        # C9: on a rough sheet facets cross, on a flat one less. A seed is the same place on both.
         for label in ("cylinder-axis", "average-plane"):
             here = answers[(answers.tool == "prism-12") & (answers.scene == "penetration") & (answers.speed == speed)]
             here = here[here.label == label]
-            here = here.assign(crossed=(here.flipped_facets + here.self_crossings_h) / here.collided_vertices)
-            of_run = here.groupby(["organ", "run_label", "seed"], as_index=False).crossed.mean()
-            rough, flat = (of_run[of_run.organ == organ] for organ in ("rough-sheet@4mm", "sheet@4mm"))
-            both = side_by_side(rough, flat, ["run_label", "seed"])
-            judge("C9", 1, release, {"label": label, "speed": speed}, both, excess(both.crossed, both.crossed_than), ">")
+            values = of_whole_runs(here, ["flipped_facets", "self_crossings_h"], ["collided_vertices"])
+            rough, flat = (values[values.organ == organ] for organ in ("rough-sheet@4mm", "sheet@4mm"))
+            both = side_by_side(rough, flat, ["seed", "run_label"])
+            judge("C9", 1, release, {"label": label, "speed": speed}, both, excess(both.value, both.value_than), ">")
+
+
+def judge_turns(path, release):
+    """C11, where the program has measured it: how far answers turn when a normal does by 1 degree. It knows no organ."""
+    turns = pd.read_csv(path).assign(organ="")
+    for condition, (label, side, limit) in enumerate([("tool-facet", ">=", 40), ("fuzzy-per-vertex", "<=", 10)], 1):
+        of_label = turns[turns.label == label]
+        judge("C11", condition, release, {}, of_label, of_label.largest_turn, side, limit)
+
+
+# ---- What the conditions of a claim make together
+
+
+def verdict(rows):
+    if any(row["n"] == 0 for row in rows):
+        return "no value" if all(row["n"] or row["missing"] for row in rows) else "not run"
+    asked = [row for row in rows if row["holds"] is not None]
+    if not asked:
+        return "described"
+    if any(math.isnan(row["low"]) for row in asked):
+        return "too few seeds"
+    held = sum(row["holds"] for row in asked)
+    return "reproduced" if held == len(asked) else "partly" if held else "not reproduced"
+
+
+def verdicts():
+    """Rows and verdict of each claim and release."""
+    of_claim = {}
+    for row in judged:
+        of_claim.setdefault((row["claim"], row["release"]), []).append(row)
+    return {key: (rows, verdict(rows)) for key, rows in of_claim.items()}
+
+
+def show(found):
+    for (claim, release), (rows, word) in sorted(found.items(), key=lambda item: (int(item[0][0][1:]), item[0][1])):
+        print(f"{claim} {release}: {word}")
+        for row in rows:
+            each = ", ".join(f"{key} {value}" for key, value in row["each"].items())
+            holds = {None: "", True: "holds", False: "does not hold"}[row["holds"]]
+            print(f"    {row['condition']} {each}: n {row['n']}, without value {row['missing']}, median "
+                  f"{row['median']:.6g} [{row['low']:.6g}, {row['high']:.6g}] {holds}")  # fmt: skip
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("file")
+    options.add_argument("--turns", help="the CSV file beside it, for C11")
+    options.add_argument("--against", help="what `trocar reproduce --json` printed")
+    given = options.parse_args()
+    runs, answers = read_results(given.file)
+    for release in ("contact", "step"):
+        judge_claims(runs, answers, release)
+        if given.turns:
+            judge_turns(given.turns, release)
+    found = verdicts()
+    show(found)
+    return 1 if given.against and compare(found, given.against) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -88,7 +88,7 @@ def pairs_of(condition: Condition, of: pd.DataFrame, than: pd.DataFrame, keys: l
                 f"a condition on {' + '.join(condition.figure)}: several cases of one side agree in all but what tells the two "
                 f"sides apart ({', '.join(keys)}); let `where`, `of` and `than` choose one"
             )
-    return of.merge(than, on=keys, suffixes=("", "_than"), validate="one_to_one")
+    return of.merge(than, on=keys, suffixes=("", "_than"))
 
 
 def figures(

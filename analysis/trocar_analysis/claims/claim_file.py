@@ -42,8 +42,8 @@ class Claim:
     id: str
     place: str
     says: str
-    conditions: tuple[Condition, ...]
     pending: str  # why it cannot be judged yet; "" when it can
+    conditions: tuple[Condition, ...]
 
 
 CLAIM_KEYS = {"id", "place", "says", "sweeps", "data", "where", "condition", "pending"}
@@ -89,7 +89,9 @@ def read_claim(table: dict, folder: Path) -> Claim:
     conditions = [one for entry in table.get("condition", []) for one in read_condition(name, table, entry, sweeps)]
     if not conditions and "pending" not in table:
         raise InputError(f"{name}: has neither conditions nor the reason why it is pending")
-    return Claim(table["id"], table["place"], table["says"], tuple(conditions), table.get("pending", ""))
+    # What is said stands in the cells of tables: no line breaks.
+    said = (" ".join(table.get(key, "").split()) for key in ("id", "place", "says", "pending"))
+    return Claim(*said, conditions=tuple(conditions))
 
 
 def read_condition(name: str, claim: dict, entry: dict, sweeps: tuple[Sweep, ...]) -> list[Condition]:

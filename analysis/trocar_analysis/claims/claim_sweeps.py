@@ -30,7 +30,9 @@ def read_sweep(path: Path) -> Sweep:
         raise InputError(f"{path}: is no TOML file: {error}") from error
     sweep = {}
     for key, column in LISTS.items():
-        entries = content.get(key, [])
+        if key not in content:
+            continue
+        entries = content[key]
         names = [organ_name(one) if column == "organ" else one for one in entries if not isinstance(one, dict)]
         if column == "organ" or len(names) == len(entries):
             sweep[column] = tuple(names)

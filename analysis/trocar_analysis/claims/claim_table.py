@@ -52,9 +52,10 @@ def overview(answers: list[Answer]) -> list[Column]:
     ]
     for title, chosen in (("", "verdicts"), ("confirmation, ", "confirmation")):
         for release in releases:
-            cells = [(verdict_text(getattr(answer, chosen)[release]), "") for answer in answers]
-            if chosen == "confirmation" and all(cell in (NO_DATA, PENDING) for cell, _ in cells):
+            verdicts = [getattr(answer, chosen)[release] for answer in answers]
+            if chosen == "confirmation" and all(verdict.word in (NO_DATA, PENDING) for verdict in verdicts):
                 continue
+            cells = [(verdict_text(verdict), "") for verdict in verdicts]
             columns.append(Column((f"{title}release {release}", ""), "", True, cells))
     columns.append(Column(("what it says", ""), "", True, [(answer.claim.says, "") for answer in answers]))
     return columns
@@ -62,9 +63,10 @@ def overview(answers: list[Answer]) -> list[Column]:
 
 def verdict_text(verdict: Verdict) -> str:
     asked = [one for one in verdict.judged if one.condition.relation]
-    if verdict.word not in (REPRODUCED, PARTLY, NOT) or len(asked) < 2:
-        return verdict.word
-    return f"{verdict.word} ({verdict.held} of {len(asked)})"
+    if verdict.word in (REPRODUCED, PARTLY, NOT):
+        return f"{verdict.word} ({verdict.held} of {len(asked)})" if len(asked) > 1 else verdict.word
+    unsaid = sum(one.holds is None for one in asked)
+    return f"{verdict.word} ({unsaid} of {len(asked)})" if unsaid < len(asked) else verdict.word
 
 
 def heading(answer: Answer, style: str, level: str) -> list[str]:
@@ -138,9 +140,9 @@ def left_out(answer: Answer) -> str:
 
 def condition_text(condition: Condition, units: dict[str, str]) -> str:
     own = {
-        column: values for column, values in condition.of.items()
+        column: values for column, values in sorted(condition.of.items(), key=lambda item: item[0] != "label")
         if condition.than.get(column) != values or (column == "label" and column not in condition.each)
-    }
+    }  # fmt: skip
     other = {column: values for column, values in condition.than.items() if condition.of.get(column) != values}
     words = [" + ".join(condition.figure)]
     if condition.per:
