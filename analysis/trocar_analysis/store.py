@@ -20,7 +20,8 @@ SCHEMA_VERSION = 2
 # Columns of /cases that say what was run and how it ended; every other column is a figure.
 INPUTS = (
     "case_id", "build_id", "strategy", "options", "label", "organ", "organ_facets", "tool", "scene",
-    "speed", "rate", "release", "fractions", "seed", "metrics", "judged_rate", "same_state",
+    "speed", "rate", "release", "edge_stiffness", "rest_stiffness", "fractions", "seed", "metrics", "judged_rate",
+    "same_state",
 )  # fmt: skip
 OUTCOME = (
     "status", "reason", "attempts", "wall_s", "window_steps", "missing", "sweep_number", "provenance_row",
@@ -33,7 +34,9 @@ RUN_OWN = ("strategy", "options", "label", "status")
 TEXTS = ("case_id", "strategy", "options", "label", "organ", "status", "reason")
 
 # What two cases must have in common to differ in nothing but the strategy.
-CONDITIONS = ("scene", "organ", "tool", "speed", "rate", "release", "fractions", "seed")
+CONDITIONS = (
+    "scene", "organ", "tool", "speed", "rate", "release", "edge_stiffness", "rest_stiffness", "fractions", "seed",
+)  # fmt: skip
 
 MOMENTS = ("found", "handled", "deformed")
 

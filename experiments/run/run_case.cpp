@@ -67,6 +67,7 @@ Outcome run_steps(const CaseInputs& inputs, const PreparedScene& scene, Strategy
     Cycle cycle(organ, *inputs.tool.tool, scene.start, inputs.cycle, inputs.springs);
     Judge judge({*inputs.organ.judged, *inputs.tool.judged, cycle.positions(), cycle.tool().pose()},
                 judge_settings(inputs, scene, options));
+    if (gathered.replay) record_start(*gathered.replay, scene.start.tool);
     StateSampler sampler(inputs.case_id, options.same_state);
     const Handler handler = [&](const Contact& contact, Response& response) {
         strategy.handle(contact, response);
@@ -137,6 +138,9 @@ std::vector<Cell> identifying_cells(const CaseInputs& inputs) {
         {"scene", "", "scene", inputs.scene.name},
         {"speed", "mm/s", "speed of the tool", inputs.speed},
         {"rate", "Hz", "steps a second", inputs.cycle.rate},
+        {"edge_stiffness", "g/s²", "stiffness of the spring along each edge", inputs.springs.edge_stiffness},
+        {"rest_stiffness", "g/(s²·mm²)", "stiffness of the springs to the rest shape, per area",
+         inputs.springs.rest_stiffness},
         {"release", "", "when a handled vertex is free again", release_name(inputs.cycle.release)},
         {"fractions", "1", "parts that each motion is cut into", std::int64_t{1}},
         {"seed", "1", "seed of the scene's placement", whole(inputs.seed)},

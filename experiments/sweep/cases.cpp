@@ -74,9 +74,36 @@ std::string case_id_of(const CaseInputs& inputs) {
     return hash_of(object.dump());
 }
 
+namespace {
+
+/// What the cases of a sweep have in common besides strategy, organ, tool, scene, speed and seed.
+struct Settings {
+    CycleSettings cycle;
+    SpringSettings springs;
+};
+
+/// The product of the releases, rates and stiffnesses, the last one changing fastest.
+std::vector<Settings> settings_of(const Sweep& sweep) {
+    std::vector<Settings> all;
+    for (const Release release : sweep.releases) {
+        for (const double rate : sweep.rates) {
+            for (const double stiffness : sweep.stiffnesses) {
+                Settings& one = all.emplace_back(Settings{.cycle = sweep.cycle, .springs = sweep.springs});
+                one.cycle.release = release;
+                one.cycle.rate = rate;
+                one.springs.edge_stiffness *= stiffness;
+                one.springs.rest_stiffness *= stiffness;
+            }
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
 std::vector<CaseInputs> list_cases(const Sweep& sweep) {
     std::vector<CaseInputs> cases;
-    const auto add = [&](const StrategyChoice& strategy, Release release, const OrganChoice& organ,
+    const auto add = [&](const StrategyChoice& strategy, const Settings& settings, const OrganChoice& organ,
                          const ToolChoice& tool, const SceneChoice& scene, double speed, std::uint64_t seed) {
         CaseInputs& inputs = cases.emplace_back(CaseInputs{.case_id = {},
                                                            .scene_id = {},
@@ -86,28 +113,28 @@ std::vector<CaseInputs> list_cases(const Sweep& sweep) {
                                                            .scene = scene,
                                                            .speed = speed,
                                                            .seed = seed,
-                                                           .cycle = sweep.cycle,
-                                                           .springs = sweep.springs,
+                                                           .cycle = settings.cycle,
+                                                           .springs = settings.springs,
                                                            .sweep_number = {}});
         inputs.sweep_number = static_cast<std::int64_t>(cases.size());
-        inputs.cycle.release = release;
         inputs.case_id = case_id_of(inputs);
         inputs.scene_id = hash_of(scene_json(inputs).dump());
     };
-    const auto add_scenes = [&](const StrategyChoice& strategy, Release release, const OrganChoice& organ,
-                                const ToolChoice& tool) {
+    const auto add_scenes = [&](const StrategyChoice& strategy, const Settings& settings,
+                                const OrganChoice& organ, const ToolChoice& tool) {
         for (const SceneChoice& scene : sweep.scenes) {
             const std::vector<double> speeds =
                 scene.recording ? std::vector{scene.recording->motion.tip_speed()} : sweep.speeds;
             for (const double speed : speeds) {
-                for (const auto seed : sweep.seeds) add(strategy, release, organ, tool, scene, speed, seed);
+                for (const auto seed : sweep.seeds) add(strategy, settings, organ, tool, scene, speed, seed);
             }
         }
     };
+    const std::vector<Settings> all_settings = settings_of(sweep);
     for (const auto& strategy : sweep.strategies) {
-        for (const Release release : sweep.releases) {
+        for (const Settings& settings : all_settings) {
             for (const auto& organ : sweep.organs) {
-                for (const auto& tool : sweep.tools) add_scenes(strategy, release, organ, tool);
+                for (const auto& tool : sweep.tools) add_scenes(strategy, settings, organ, tool);
             }
         }
     }

@@ -25,7 +25,7 @@ struct CaseInputs {
 };
 
 /// Every case of the sweep, in the order of its lists: the seed changes fastest, then speed, scene, tool,
-/// organ, release, strategy.
+/// organ, stiffness, rate, release, strategy.
 std::vector<CaseInputs> list_cases(const Sweep& sweep);
 
 /// The hash of the case's inputs, written as JSON with sorted keys. The label, and where a file lies, are not
@@ -50,10 +50,10 @@ std::string options_json(const Options& options);
 std::string option_text(const OptionValue& value);
 
 /// Keeps the cases that match `key=value` filters: filters of one key are alternatives, different keys must
-/// all match. Keys: strategy (name or label), organ, tool, scene, speed, seed, release, and every option of
-/// the cases' strategies; a case whose strategy does not have the option does not match. Throws InputError
-/// for a filter that is no key=value, for an unknown key, and for a value that no case has, naming the
-/// nearest one.
+/// all match. Keys: strategy (name or label), organ, tool, scene, speed, seed, rate, release, edge_stiffness,
+/// rest_stiffness, and every option of the cases' strategies; a case whose strategy does not have the option
+/// does not match. Throws InputError for a filter that is no key=value, for an unknown key, and for a value
+/// that no case has, naming the nearest one.
 std::vector<CaseInputs> only(std::vector<CaseInputs> cases, std::span<const std::string> filters);
 
 /// The word of a sweep file: "contact" or "step".

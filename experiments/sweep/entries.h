@@ -39,13 +39,17 @@ std::filesystem::path mesh_file(const ConfigValue& file, const std::filesystem::
 /// motion. Throws InputError, which names the file, for a recording that cannot be used.
 SceneChoice read_scene_entry(const ConfigValue& entry, const std::filesystem::path& folder);
 
-/// All of [cycle] but the release, with defaults where the table has none.
+/// All of [cycle] but the rate and the release, with defaults where the table has none.
 CycleSettings read_cycle(const ConfigTable& table);
+/// The rate of [cycle]: one number, or a list of them; without the key the default one.
+std::vector<double> read_rates(const ConfigTable& cycle);
 /// The release of [cycle]: one word, or a list of them; without the key the default one.
 std::vector<Release> read_releases(const ConfigTable& cycle);
 /// How many states of each run `same_state` of [compare] asks for; 0 where the table has none.
 int read_same_state(const ConfigTable& compare);
-/// The settings of [deformation], with defaults where the table has none.
+/// The settings of [deformation] but for the factor, with defaults where the table has none.
 SpringSettings read_springs(const ConfigTable& table);
+/// The key `stiffness` of [deformation]: one factor, or a list of them; without the key 1.
+std::vector<double> read_stiffnesses(const ConfigTable& deformation);
 
 }  // namespace trocar

@@ -13,7 +13,8 @@ namespace {
 
 /// Those that every case has, then the options of the cases' strategies.
 std::vector<std::string> filter_keys(const std::vector<CaseInputs>& cases) {
-    std::vector<std::string> keys{"strategy", "organ", "tool", "scene", "speed", "seed", "release"};
+    std::vector<std::string> keys{"strategy", "organ", "tool",    "scene",          "speed",
+                                  "seed",     "rate",  "release", "edge_stiffness", "rest_stiffness"};
     std::set<std::string> options;
     for (const CaseInputs& inputs : cases) {
         for (const auto& option : inputs.strategy.options) options.insert(option.first);
@@ -32,6 +33,9 @@ std::vector<std::string> values_of(const CaseInputs& inputs, std::string_view ke
     if (key == "speed") return {fmt::format("{}", inputs.speed)};
     if (key == "release") return {release_name(inputs.cycle.release)};
     if (key == "seed") return {fmt::format("{}", inputs.seed)};
+    if (key == "rate") return {fmt::format("{}", inputs.cycle.rate)};
+    if (key == "edge_stiffness") return {fmt::format("{}", inputs.springs.edge_stiffness)};
+    if (key == "rest_stiffness") return {fmt::format("{}", inputs.springs.rest_stiffness)};
     const auto option = inputs.strategy.options.find(std::string(key));
     if (option == inputs.strategy.options.end()) return {};
     return {option_text(option->second)};

@@ -26,6 +26,21 @@ void read_not_negative(const ConfigTable& table, const NumberKey& key) {
     if (*key.target < 0) throw PlacedError(value->place, fmt::format("{} must not be negative", key.name));
 }
 
+/// A positive number, or a list of different ones; `otherwise` without the key.
+std::vector<double> read_one_or_several(const ConfigTable& table, const std::string& key, double otherwise) {
+    const ConfigValue* value = find(table, key);
+    if (value == nullptr) return {otherwise};
+    if (!std::holds_alternative<ConfigList>(value->content)) return {as_positive(*value, key)};
+    std::vector<double> numbers;
+    for (const ConfigValue& entry : as_list(*value, key)) {
+        const double number = as_positive(entry, key);
+        if (std::ranges::find(numbers, number) != numbers.end())
+            throw PlacedError(entry.place, fmt::format("{} lists {} twice", key, number));
+        numbers.push_back(number);
+    }
+    return numbers;
+}
+
 Release read_release(const ConfigValue& value) {
     static const std::array<std::string, 2> words{"contact", "step"};
     const std::string& word = as_text(value, "release");
@@ -40,9 +55,12 @@ CycleSettings read_cycle(const ConfigTable& table) {
     static const std::array<std::string, 3> keys{"rate", "clearance", "release"};
     check_keys(table, "key of [cycle]", keys);
     CycleSettings settings;
-    read_positive(table, {"rate", &settings.rate});
     read_positive(table, {"clearance", &settings.clearance});
     return settings;
+}
+
+std::vector<double> read_rates(const ConfigTable& cycle) {
+    return read_one_or_several(cycle, "rate", CycleSettings{}.rate);
 }
 
 std::vector<Release> read_releases(const ConfigTable& cycle) {
@@ -73,8 +91,8 @@ int read_same_state(const ConfigTable& compare) {
 }
 
 SpringSettings read_springs(const ConfigTable& table) {
-    static const std::array<std::string, 5> keys{"density", "edge_stiffness", "rest_stiffness", "damping",
-                                                 "substeps"};
+    static const std::array<std::string, 6> keys{"density",   "edge_stiffness", "rest_stiffness",
+                                                 "stiffness", "damping",        "substeps"};
     check_keys(table, "key of [deformation]", keys);
     SpringSettings settings;
     read_positive(table, {"density", &settings.density});
@@ -90,6 +108,10 @@ SpringSettings read_springs(const ConfigTable& table) {
         settings.substeps = static_cast<int>(substeps);
     }
     return settings;
+}
+
+std::vector<double> read_stiffnesses(const ConfigTable& deformation) {
+    return read_one_or_several(deformation, "stiffness", 1);
 }
 
 }  // namespace trocar

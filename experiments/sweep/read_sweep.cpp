@@ -101,10 +101,13 @@ Sweep read_tables(const ConfigTable& table, std::string text, const std::filesys
     const ConfigValue* cycle_value = find(table, "cycle");
     const ConfigTable& cycle = cycle_value == nullptr ? no_table : as_table(*cycle_value, "cycle");
     sweep.cycle = read_cycle(cycle);
+    sweep.rates = read_rates(cycle);
     sweep.releases = read_releases(cycle);
-    if (const ConfigValue* springs = find(table, "deformation")) {
-        sweep.springs = read_springs(as_table(*springs, "deformation"));
-    }
+    const ConfigValue* material_value = find(table, "deformation");
+    const ConfigTable& material =
+        material_value == nullptr ? no_table : as_table(*material_value, "deformation");
+    sweep.springs = read_springs(material);
+    sweep.stiffnesses = read_stiffnesses(material);
     if (const ConfigValue* compare = find(table, "compare")) {
         sweep.same_state = read_same_state(as_table(*compare, "compare"));
     }

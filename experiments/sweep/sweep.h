@@ -67,10 +67,12 @@ struct Sweep {
     std::vector<SceneChoice> scenes;
     std::vector<double> speeds;        ///< mm/s; a recording has its own
     std::vector<std::uint64_t> seeds;  ///< `seeds = 3` stands for 1, 2, 3
-    CycleSettings cycle;               ///< but for the release
+    CycleSettings cycle;               ///< but for the rate and the release
+    std::vector<double> rates;         ///< Hz
     std::vector<Release> releases;
     SpringSettings springs;
-    int same_state = 0;  ///< states of each run that are handed to every strategy
+    std::vector<double> stiffnesses;  ///< factors of both of the springs' stiffnesses
+    int same_state = 0;               ///< states of each run that are handed to every strategy
 };
 
 /// Reads a sweep file (TOML; README.md of this folder lists the keys) and loads the organs and tools it

@@ -45,6 +45,23 @@ TEST(ListCases, ReleasesAreAListToo) {
     EXPECT_NE(cases[0].scene_id, cases[1].scene_id) << "but not for another seed";
 }
 
+TEST(ListCases, RatesAndStiffnessesMayBeLists) {
+    const SweepFolder folder;
+    const auto cases = list_cases(folder.read(
+        small_sweep +
+        "[cycle]\nrate = [30, 1000]\n[deformation]\nedge_stiffness = 1000\nstiffness = [0.1, 10]\n"));
+    ASSERT_EQ(cases.size(), 16U);
+    EXPECT_EQ(cases[0].cycle.rate, 30);
+    EXPECT_EQ(cases[0].springs.edge_stiffness, 100);
+    EXPECT_EQ(cases[0].springs.rest_stiffness, 10);
+    EXPECT_EQ(cases[2].springs.edge_stiffness, 10'000);
+    EXPECT_EQ(cases[2].cycle.rate, 30);
+    EXPECT_EQ(cases[4].cycle.rate, 1000);
+    EXPECT_EQ(cases[4].springs.edge_stiffness, 100);
+    const std::vector<std::string> filters{"rate=1000", "edge_stiffness=10000"};
+    EXPECT_EQ(only(cases, filters).size(), 4U);
+}
+
 TEST(ListCases, ARecordingHasItsOwnSpeed) {
     const SweepFolder folder;
     static_cast<void>(folder.write("poses.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,3,1,0,0,0\n2,0,0,-5,1,0,0,0\n"));

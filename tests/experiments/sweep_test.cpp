@@ -59,12 +59,13 @@ substeps = 7
     EXPECT_EQ(sweep.scenes[0].name, "penetration");
     EXPECT_THAT(sweep.speeds, ElementsAre(20, 100.5));
     EXPECT_THAT(sweep.seeds, ElementsAre(3, 1));
-    EXPECT_EQ(sweep.cycle.rate, 25);
+    EXPECT_THAT(sweep.rates, ElementsAre(25));
     EXPECT_EQ(sweep.cycle.clearance, 0.02);
     EXPECT_THAT(sweep.releases, ElementsAre(Release::step));
     EXPECT_EQ(sweep.springs.density, 1e-3);
     EXPECT_EQ(sweep.springs.edge_stiffness, 1000);
     EXPECT_EQ(sweep.springs.rest_stiffness, 50);
+    EXPECT_THAT(sweep.stiffnesses, ElementsAre(1));
     EXPECT_EQ(sweep.springs.damping, 0);
     EXPECT_EQ(sweep.springs.substeps, 7);
 }
@@ -231,6 +232,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"RateZero", "seeds = 2", "seeds = 2\n[cycle]\nrate = 0", "9:8", "above 0"},
         Mistake{"ReleaseWord", "seeds = 2", "seeds = 2\n[cycle]\nrelease = \"contct\"", "9:11",
                 "did you mean \"contact\"?"},
+        Mistake{"RateTwice", "seeds = 2", "seeds = 2\n[cycle]\nrate = [30, 60, 30]", "9:17",
+                "rate lists 30 twice"},
+        Mistake{"StiffnessZero", "seeds = 2", "seeds = 2\n[deformation]\nstiffness = [1, 0]", "9:17",
+                "stiffness"},
         Mistake{"ReleaseTwice", "seeds = 2", "seeds = 2\n[cycle]\nrelease = [\"step\", \"step\"]", "9:20",
                 "twice"},
         Mistake{"DeformationKey", "seeds = 2", "seeds = 2\n[deformation]\nsubstep = 3", "9:1",

@@ -9,13 +9,13 @@ import pandas as pd
 
 from ..conditions import excess
 from ..errors import InputError
-from ..store import ResultFile
+from ..store import CONDITIONS, ResultFile
 from ..subject import CASES, STATES
 from .claim_file import Condition, Where
 from .claim_sweeps import FORMULA, rows_of
 
 # What a case was run with; two cases that agree in all but what a condition tells apart are a pair.
-RUN_KEYS = ("organ", "tool", "scene", "speed", "rate", "release", "fractions", "seed", "label", "run_label")
+RUN_KEYS = (*CONDITIONS, "label", "run_label")
 
 
 @dataclass(frozen=True)
