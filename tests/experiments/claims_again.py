@@ -115,10 +115,10 @@ OF_ANSWERS = [*SAME_STATES, "label"]
 # ---- The claims
 
 
-def judge_claims(runs, answers, release):
+def judge_claims(runs, answers, release, organs):
     prism = runs[(runs.release == release) & (runs.tool == "prism-12")]
-    penetration = prism[(prism.scene == "penetration") & prism.organ.isin(THREE_ORGANS)]
-    sliding = prism[(prism.scene == "sliding") & prism.organ.isin(THREE_ORGANS)]
+    penetration = prism[(prism.scene == "penetration") & prism.organ.isin(organs)]
+    sliding = prism[(prism.scene == "sliding") & prism.organ.isin(organs)]
     cutting = prism[(prism.scene == "cutting") & prism.organ.isin(CLEFTS)]
 
     # C1 and C2: fuzzy leaves no interpenetration, going in and sliding along.
@@ -173,7 +173,7 @@ def judge_claims(runs, answers, release):
     if not len(answers):
         return
     answers = answers[answers.release == release]
-    three = answers[answers.organ.isin(THREE_ORGANS)]
+    three = answers[answers.organ.isin(organs)]
     prism = three[three.tool == "prism-12"]
 
     def more_than_fuzzy(here, label, figure, per=()):
@@ -263,10 +263,11 @@ def main():
     options.add_argument("file")
     options.add_argument("--turns", help="the CSV file beside it, for C11")
     options.add_argument("--against", help="what `trocar reproduce --json` printed")
+    options.add_argument("--organs", action="append", help="of the sweeps that have three, if these have others")
     given = options.parse_args()
     runs, answers = read_results(given.file)
     for release in ("contact", "step"):
-        judge_claims(runs, answers, release)
+        judge_claims(runs, answers, release, given.organs or THREE_ORGANS)
         if given.turns:
             judge_turns(given.turns, release)
     found = verdicts()
