@@ -14,7 +14,7 @@ from trocar_analysis.claims.reproduce import reproduce
 ORGANS = ("sphere@4mm", "liver@4mm", "tube@4mm")
 SEEDS = (1, 2, 3, 4)  # on three organs: as many as an interval needs
 RELEASES = ("contact", "step")
-BETTER = {"depth_max": "low", "edge_ratio_mean": "high", "drag": "low", "flipped_facets": "low", "self_crossings": "low"}
+BETTER = {"depth_max": "low", "edge_ratio_mean": "high", "drag": "low", "flipped_facets": "low"}
 
 CLAIM = """
 [[claim]]
@@ -90,6 +90,8 @@ class ClaimsTest(unittest.TestCase):
         (found,) = self.judged(claims, cases, states, **more).values()
         return found["verdict"]
 
-    def conditions(self, claims: str, cases: list[dict], states: list[dict] | None = None, **more: object) -> list[dict]:
+    def conditions(
+        self, claims: str, cases: list[dict], states: list[dict] | None = None, **more: object
+    ) -> list[dict]:
         (found,) = self.judged(claims, cases, states, **more).values()
         return found["conditions"]

@@ -1,4 +1,4 @@
-"""What is told of claims: turns and Holm's correction, text, Markdown and JSON; and which mistakes in the claims' file are named."""
+"""What is told of claims, as text, Markdown and JSON, and of mistakes in their file; turns; Holm's correction."""
 
 import json
 import math
@@ -25,12 +25,20 @@ class Told(ClaimsTest):
         self.assertEqual((found["verdict"], [one["n"] for one in found["conditions"]]), ("reproduced", [12, 12]))
         text = claim(condition.format("b", ">=", 40), condition.format("a", "<=", 10), data="turns")
         self.assertEqual(self.verdict(text, runs("a", 1.0), turns=str(turns)), "not reproduced")
+        # They have no organs, so that there is nothing to confirm them on, and need no result file.
+        koala = runs("a", 1.0, ("koala s100",))
+        self.assertEqual(self.verdict(text, koala, turns=str(turns), organs="confirmation"), "not run")
+        self.file.unlink()
+        said = self.told(turns=str(turns))
+        self.assertIn("largest_turn (b) ≥ 40 degree", said)
+        self.assertNotIn("confirmation", said)
         with self.assertRaisesRegex(InputError, "none.csv"):
             self.told(turns=str(self.folder / "none.csv"))
 
     def test_p_is_corrected_within_a_claim(self):
         # All twelve differences of one sign: 2 of 2^12 ways to set signs are as extreme.
-        cases = runs("a", worked(1)) + runs("b", lambda organ, seed: worked(2)(organ, seed) + seed / 7 + len(organ) / 97)
+        b = runs("b", lambda organ, seed: worked(2)(organ, seed) + seed / 7 + len(organ) / 97)
+        cases = runs("a", worked(1)) + b
         alone, twice = claim(LESS), claim(LESS, LESS, LIMIT, name="C2")
         found = self.judged(alone + twice, cases)
         self.assertAlmostEqual(found["C1"]["conditions"][0]["p"], 2 / 2**12, 12)
@@ -38,7 +46,8 @@ class Told(ClaimsTest):
 
     def test_json_says_of_what_each_number_is(self):
         condition = LESS + '\ntimes = 2\neach = { scene = ["in"], speed = [20] }'
-        (found,) = self.conditions(claim(condition), runs("a", 3.0, scene="in", speed=20.0) + runs("b", 2.0, scene="in", speed=20.0))
+        cases = [case for label, value in (("a", 3.0), ("b", 2.0)) for case in runs(label, value, scene="in", speed=20.0)]
+        (found,) = self.conditions(claim(condition), cases)
         self.assertEqual((found["figure"], found["is"], found["times"], found["each"]),
                          (["depth_max_d_max"], "<", 2, {"scene": "in", "speed": 20}))  # fmt: skip
         self.assertEqual((found["of"]["label"], found["than"]["label"]), (["a"], ["b"]))

@@ -1,11 +1,12 @@
-"""The verdicts on the paper's claims once more, on another path: each claim written out by hand, as experiments/claims.toml and
-results/README.md state it, with h5py, pandas and numpy alone. To be read from top to bottom, as a notebook.
+"""The verdicts on the paper's claims once more, on another path: each claim written out by hand, as
+experiments/claims.toml and results/README.md state it, with h5py, pandas and numpy alone. To be read from top to bottom,
+as a notebook.
 
 /usr/bin/python3 claims_again.py OUT.h5 [--turns OUT.turns.csv] [--against VERDICTS.json]
 
-Prints what each condition comes to. With --against, what `trocar reproduce --json` printed of the same file, it compares: medians
-to 1e-9, verdicts to the word, counts to the unit, intervals within what two sets of random draws may differ by. Exit code 1 where
-anything differs.
+Prints what each condition comes to. With --against, what `trocar reproduce --json` printed of the same file, it compares:
+medians to 1e-9, verdicts to the word, counts to the unit, intervals within what two sets of random draws may differ by.
+Exit code 1 where anything differs.
 """
 
 import argparse
@@ -36,8 +37,8 @@ def read_table(file, name):
 
 
 def failed_are_worst(table, failed):
-    """Every figure of a case that did not complete is the worst there is. Of those used here high is better for the ratio of
-    edges alone. What figures are divided by is neither good nor bad: 1, so that the worst stays the worst."""
+    """Every figure of a case that did not complete is the worst there is. Of those used here high is better for the
+    ratio of edges alone. What figures are divided by is neither good nor bad: 1, so that the worst stays the worst."""
     for column in table.select_dtypes("float"):
         if column.startswith("edge_ratio_mean"):
             table.loc[failed, column] = -math.inf
@@ -48,8 +49,8 @@ def failed_are_worst(table, failed):
 
 
 def read_results(path):
-    """`runs`, a row a case, and `answers`, a row for each state and strategy that answered to it. In answers `label` is whose
-    the answer is, `run_label` in whose run the state was found."""
+    """`runs`, a row a case, and `answers`, a row for each state and strategy that answered to it. In answers `label` is
+    whose the answer is, `run_label` in whose run the state was found."""
     with h5py.File(path) as file:
         runs, answers = read_table(file, "cases"), read_table(file, "states")
     failed_are_worst(runs, runs.status != "complete")
@@ -85,9 +86,9 @@ def judge(claim, condition, release, each, cases, values, side=None, limit=0.0):
 
 
 def of_whole_runs(answers, figure, per=()):
-    """The states of one run are not independent of each other: a run and who answered make one value. Over the states of
-    which all figures exist, it is the mean of the figures' sum, divided by that of `per` where it is given. An answer that
-    failed makes it a failure: the worst stays the worst in a mean."""
+    """The states of one run are not independent of each other: a run and who answered make one value. Over the states
+    of which all figures exist, it is the mean of the figures' sum, divided by that of `per` where it is given. An answer
+    that failed makes it a failure: the worst stays the worst in a mean."""
     columns = [*figure, *per]
     means = answers.dropna(subset=columns).groupby(OF_ANSWERS, as_index=False)[columns].mean()
     value = means[list(figure)].sum(axis=1) / (means[list(per)].sum(axis=1) if per else 1)
@@ -144,7 +145,8 @@ def judge_claims(runs, answers, release, organs):
         joint, fuzzy = (at_speed[at_speed.label == label] for label in ("joint-vertex", "fuzzy-per-vertex"))
         judge("C5", 1, release, {"speed": speed}, joint, joint.tool_crossings_mean, ">", 0)
         both = side_by_side(fuzzy, joint, SAME_RUN)
-        judge("C5", 2, release, {"speed": speed}, both, excess(both.tool_crossings_mean, both.tool_crossings_mean_than), "<")
+        fewer = excess(both.tool_crossings_mean, both.tool_crossings_mean_than)
+        judge("C5", 2, release, {"speed": speed}, both, fewer, "<")
 
     # C6 and C7: nearest-face goes in slowly as well as fuzzy, rapidly far worse than either.
     volume, volume_than = "tool_volume_inside_d_max", "tool_volume_inside_d_max_than"
@@ -177,7 +179,7 @@ def judge_claims(runs, answers, release, organs):
     prism = three[three.tool == "prism-12"]
 
     def more_than_fuzzy(here, label, figure, per=()):
-        """Runs with what `label` and fuzzy-per-vertex answered to the same states, and by how much the former's is more."""
+        """Runs with what `label` and fuzzy-per-vertex answered to the same states, and how much more the former's is."""
         here = here[here.label.isin([label, "fuzzy-per-vertex"])]
         values = of_whole_runs(here, figure, per)
         both = side_by_side(values[values.label == label], values[values.label == "fuzzy-per-vertex"], SAME_STATES)
@@ -218,7 +220,7 @@ def judge_claims(runs, answers, release, organs):
 
 
 def judge_turns(path, release):
-    """C11, where the program has measured it: how far answers turn when a normal does by 1 degree. It knows no organ."""
+    """C11, where the program has measured it: how far answers turn when inputs hardly do. It knows no organ."""
     turns = pd.read_csv(path).assign(organ="")
     for condition, (label, side, limit) in enumerate([("tool-facet", ">=", 40), ("fuzzy-per-vertex", "<=", 10)], 1):
         of_label = turns[turns.label == label]

@@ -56,8 +56,8 @@ class Claims(ProgramTest):
     def again(self, verdicts):
         """What the second path says of the same file, held against the program's verdicts."""
         said = self.write("verdicts.json", verdicts)
-        return subprocess.run([sys.executable, "-B", HERE / "claims_again.py", self.out, "--against", said, "--organs", "sphere@12mm"],
-                              capture_output=True, text=True, timeout=120)  # fmt: skip
+        command = [sys.executable, "-B", HERE / "claims_again.py", self.out, "--against", said, "--organs", "sphere@12mm"]
+        return subprocess.run(command, capture_output=True, text=True, timeout=120)
 
     def test_a_table_and_again_by_another_path(self):
         first = self.expect_done(*self.command("--quick", "--claims", "C7"))
@@ -91,7 +91,7 @@ class Claims(ProgramTest):
         wrong = failed.replace('"holds": false', '"holds": true', 1)
         self.assertNotEqual(wrong, failed)
         self.assertEqual(self.again(wrong).returncode, 1)
-        wrong = re.sub(r'"median": (-?[0-9.]+)', lambda match: f'"median": {float(match[1]) * 1.000001}', failed, count=1)
+        wrong = re.sub(r'("median": -?[0-9]+)', r"\g<1>1", failed, count=1)
         self.assertNotEqual(wrong, failed)
         self.assertEqual(self.again(wrong).returncode, 1)
 
@@ -106,11 +106,13 @@ class Claims(ProgramTest):
         (self.folder / "empty").mkdir()
         self.expect_refused("koala.obj", *self.command("--confirmation", self.folder / "empty"))
         self.expect_refused("none.toml: No such file", "reproduce", "--claims-file", self.folder / "none.toml")
-        for whole, broken, message in (("quick_seeds = 12", 'quick_seeds = "x"', "claims.toml:2:15: quick_seeds must be"),
-                                       ("[[claim]]", "[[claim]", "claims.toml:8:"),
-                                       ('id = "C7"', "", "claims.toml:8:1: the key id is missing"),
-                                       ("claims/penetration.toml\"]\ndata", "claims/pen.toml\"]\ndata", "pen.toml: No such file"),
-                                       ("\"strain\"", "\"strian\"", 'did you mean "strain"')):  # fmt: skip
+        for whole, broken, message in (
+            ("quick_seeds = 12", 'quick_seeds = "x"', "claims.toml:2:15: quick_seeds must be"),
+            ("[[claim]]", "[[claim]", "claims.toml:8:"),
+            ('id = "C7"', "", "claims.toml:8:1: the key id is missing"),
+            ('claims/penetration.toml"]\ndata', 'claims/pen.toml"]\ndata', "pen.toml: No such file"),
+            ('"strain"', '"strian"', 'did you mean "strain"'),
+        ):  # fmt: skip
             self.claims.write_text((HEAD + C7).replace(whole, broken, 1), encoding="utf-8")
             self.expect_refused(message, *self.command())
         self.assertFalse(self.out.exists())
@@ -118,7 +120,8 @@ class Claims(ProgramTest):
     def test_a_mistake_in_a_condition_is_named(self):
         self.claims.write_text((HEAD + C7).replace("times = 3", "tims = 3"), encoding="utf-8")
         self.write("claims/penetration.toml", SWEEP.replace("seeds = 14", "seeds = 1"))
-        self.expect_refused("claims.toml: a condition of claim C7: no key 'tims'; did you mean 'times'?", *self.command())
+        message = "claims.toml: a condition of claim C7: no key 'tims'; did you mean 'times'?"
+        self.expect_refused(message, *self.command())
 
     def test_the_same_command_goes_on_after_ctrl_c(self):
         process = subprocess.Popen([self.program, *map(str, self.command("-j", "1"))],

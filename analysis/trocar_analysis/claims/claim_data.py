@@ -40,15 +40,19 @@ class Values:
     lacking: int  # that have no value
 
 
-def read_sources(path: str, turns_path: str | None, better: dict[str, str]) -> Sources:
-    with ResultFile(path) as results:
-        tables = {"runs": results.cases_table(), "answers": results.states_table()}
-        units = results.units()
+def read_sources(path: str | None, turns_path: str | None, better: dict[str, str]) -> Sources:
+    """`path`: of a result file; None where no claim is judged on one."""
+    tables, units = {}, {}
+    if path is not None:
+        with ResultFile(path) as results:
+            tables = {"runs": results.cases_table(), "answers": results.states_table()}
+            units = results.units()
     if turns_path:
         try:
             tables["turns"] = pd.read_csv(turns_path)
         except (OSError, ValueError) as error:
             raise InputError(f"{turns_path}: cannot be read as the table of turns ({error})") from error
+        units |= {column: "degree" for column in tables["turns"] if column.startswith("largest_turn")}
     return Sources(tables, units, better)
 
 
@@ -80,13 +84,13 @@ def values_of(condition: Condition, sources: Sources, release: str, confirmation
 
 
 def pairs_of(condition: Condition, of: pd.DataFrame, than: pd.DataFrame, keys: list[str]) -> pd.DataFrame:
-    """Side by side what agrees in the keys. A seed has its place on an organ; a condition that compares organs pairs the
-    same place on two."""
+    """Side by side what agrees in the keys. A seed has its place on an organ; a condition that compares organs pairs
+    the same place on two."""
     for group in (of, than):
         if group.duplicated(keys).any():
             raise InputError(
-                f"a condition on {' + '.join(condition.figure)}: several cases of one side agree in all but what tells the two "
-                f"sides apart ({', '.join(keys)}); let `where`, `of` and `than` choose one"
+                f"a condition on {' + '.join(condition.figure)}: several cases of one side agree in all but what tells "
+                f"the two sides apart ({', '.join(keys)}); let `where`, `of` and `than` choose one"
             )
     return of.merge(than, on=keys, suffixes=("", "_than"))
 
@@ -100,8 +104,8 @@ def figures(
     table = sources.tables.get(condition.data)
     if table is None or table.empty:
         return empty()
-    if condition.data == "turns":
-        return turned(condition, group, table)
+    if condition.data == "turns":  # on no organ: nothing that could confirm them
+        return empty() if confirmation else turned(condition, group, table)
     chosen = table["release"] == release
     chosen &= table["organ"].isin(organs_of(sources, confirmation))
     chosen &= rows_of(condition.sweeps, table)

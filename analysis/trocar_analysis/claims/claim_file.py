@@ -106,7 +106,8 @@ def read_condition(name: str, claim: dict, entry: dict, sweeps: tuple[Sweep, ...
     if relation and ("limit" in entry) == ("than" in entry):
         raise InputError(f"{name}: a condition with `is` needs either limit or than")
     if not relation and (useless := {"limit", "than", "times"} & entry.keys()):
-        raise InputError(f"{name}: a condition has {' and '.join(sorted(useless))} but no `is`, one of {' '.join(RELATIONS)}")
+        keys = " and ".join(sorted(useless))
+        raise InputError(f"{name}: a condition has {keys} but no `is`, one of {' '.join(RELATIONS)}")
     if "times" in entry and "than" not in entry:
         raise InputError(f"{name}: a condition has times but no than, whose figure it multiplies")
     if not entry.get("figure"):

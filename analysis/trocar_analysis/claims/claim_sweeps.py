@@ -49,8 +49,8 @@ def organ_name(formula: str) -> str:
 
 
 def rows_of(sweeps: tuple[Sweep, ...], table: pd.DataFrame) -> pd.Series:
-    """Which rows are of one of the sweeps. Organs from files are those of the confirmation set, which belong to no sweep
-    file. A claim that names no sweep is judged on all."""
+    """Which rows are of one of the sweeps. Organs from files are those of the confirmation set, which belong to no
+    sweep file. A claim that names no sweep is judged on all."""
     if not sweeps:
         return pd.Series(True, index=table.index)
     from_file = ~table["organ"].str.contains(FORMULA, regex=False)

@@ -21,7 +21,8 @@ def reproduce(
 ) -> str:
     """The claims judged on a result file, as text, "markdown", or "json"."""
     claims = choose_claims(read_claims(claims_path), ids)
-    sources = read_sources(path, turns_path, better)
+    needs_results = any(one.data != "turns" for claim in claims for one in claim.conditions)
+    sources = read_sources(path if needs_results else None, turns_path, better)
     answers = [
         Answer(
             claim,

@@ -54,8 +54,8 @@ def judge_claim(claim: Claim, sources: Sources, release: str, confirmation: bool
 
 
 def word_for(judged: list[Judged]) -> str:
-    """Where one condition cannot be judged the claim is not: that something did not show is another thing than that it was
-    not looked at."""
+    """Where one condition cannot be judged the claim is not: that something did not show is another thing than that it
+    was not looked at."""
     if any(one.pairs == 0 and one.lacking == 0 for one in judged):
         return NO_DATA
     if any(one.pairs == 0 for one in judged):

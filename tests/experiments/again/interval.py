@@ -1,4 +1,4 @@
-"""The median of values and its interval: seeds are drawn within organs, as analysis/README.md describes it. With numpy alone."""
+"""The median of values and its interval, as analysis/README.md describes it: seeds are drawn within organs."""
 
 import math
 
@@ -26,8 +26,8 @@ def tail_of(degrees, known={}):
 
 
 def resampled_medians(values, organs, seeds):
-    """The lower and the upper median of `values` in each resample, both sorted, and the tail beyond the interval's ends; None
-    where seeds are too few. Of an organ's m seeds m - 1 are drawn with replacement and count m / (m - 1) each."""
+    """The lower and the upper median of `values` in each resample, both sorted, and the tail beyond the interval's ends;
+    None where seeds are too few. Of an organ's m seeds m - 1 are drawn with replacement and count m / (m - 1) each."""
     seeds_of = {organ: sorted(set(seeds[organs == organ])) for organ in sorted(set(organs))}
     several = [len(of_organ) for of_organ in seeds_of.values() if len(of_organ) > 1]
     if sum(several) < FEWEST_SEEDS:
