@@ -12,12 +12,10 @@ from ..errors import InputError
 from ..store import CONDITIONS, ResultFile
 from ..subject import CASES, STATES
 from .claim_file import Condition, Where
+from .claim_sweeps import FORMULA, rows_of
 
 # What a case was run with; two cases that agree in all but what a condition tells apart are a pair.
 RUN_KEYS = (*CONDITIONS, "label", "run_label")
-
-# An organ made by formula has its edge length in its name; those from files are the confirmation set.
-FORMULA = "@"
 
 
 @dataclass(frozen=True)
@@ -42,15 +40,19 @@ class Values:
     lacking: int  # that have no value
 
 
-def read_sources(path: str, turns_path: str | None, better: dict[str, str]) -> Sources:
-    with ResultFile(path) as results:
-        tables = {"runs": results.cases_table(), "answers": results.states_table()}
-        units = results.units()
+def read_sources(path: str | None, turns_path: str | None, better: dict[str, str]) -> Sources:
+    """`path`: of a result file; None where no claim is judged on one."""
+    tables, units = {}, {}
+    if path is not None:
+        with ResultFile(path) as results:
+            tables = {"runs": results.cases_table(), "answers": results.states_table()}
+            units = results.units()
     if turns_path:
         try:
             tables["turns"] = pd.read_csv(turns_path)
         except (OSError, ValueError) as error:
             raise InputError(f"{turns_path}: cannot be read as the table of turns ({error})") from error
+        units |= {column: "degree" for column in tables["turns"] if column.startswith("largest_turn")}
     return Sources(tables, units, better)
 
 
@@ -62,17 +64,14 @@ def organs_of(sources: Sources, confirmation: bool) -> set[str]:
 
 def values_of(condition: Condition, sources: Sources, release: str, confirmation: bool) -> Values:
     """What the condition is judged on under this release."""
-    groups = [
-        figures(condition, one, sources, release, confirmation) for one in (condition.of, condition.than) if one
-    ]
+    groups = [figures(condition, condition.of, sources, release, confirmation, condition.asks_for_more)]
+    if condition.than:
+        groups.append(figures(condition, condition.than, sources, release, confirmation, not condition.asks_for_more))
     told_apart = {
         column for column in {**condition.of, **condition.than} if condition.of.get(column) != condition.than.get(column)
     } if condition.than else set()  # fmt: skip
     keys = [key for key in RUN_KEYS if key in groups[0] and key not in told_apart]
-    # A seed has its place on an organ; one that compares organs pairs the same place on two.
-    both = groups[0] if not condition.than else groups[0].merge(
-        groups[1], on=keys, suffixes=("", "_than"), validate="one_to_one"
-    )  # fmt: skip
+    both = pairs_of(condition, *groups, keys) if condition.than else groups[0]
     of = both["value"].to_numpy(float)
     than = both["value_than"].to_numpy(float) if condition.than else np.full(len(of), np.nan)
     failed = both["failed"] | both["failed_than"] if condition.than else both["failed"]
@@ -84,18 +83,32 @@ def values_of(condition: Condition, sources: Sources, release: str, confirmation
     )  # fmt: skip
 
 
+def pairs_of(condition: Condition, of: pd.DataFrame, than: pd.DataFrame, keys: list[str]) -> pd.DataFrame:
+    """Side by side what agrees in the keys. A seed has its place on an organ; a condition that compares organs pairs
+    the same place on two."""
+    for group in (of, than):
+        if group.duplicated(keys).any():
+            raise InputError(
+                f"a condition on {' + '.join(condition.figure)}: several cases of one side agree in all but what tells "
+                f"the two sides apart ({', '.join(keys)}); let `where`, `of` and `than` choose one"
+            )
+    return of.merge(than, on=keys, suffixes=("", "_than"))
+
+
 def figures(
-    condition: Condition, group: Where, sources: Sources, release: str, confirmation: bool
+    condition: Condition, group: Where, sources: Sources, release: str, confirmation: bool, should_be_more: bool
 ) -> pd.DataFrame:
     """One row per case of the group, or per run and strategy that answered: what it was run with, `value` (infinite, on
-    the side that is not better, where it failed; NaN where there is none) and `failed`."""
+    the side that is not better, where it failed; NaN where there is none) and `failed`. `should_be_more`: the condition
+    asks for large values of this group."""
     table = sources.tables.get(condition.data)
     if table is None or table.empty:
         return empty()
-    if condition.data == "turns":
-        return turned(condition, group, table)
+    if condition.data == "turns":  # on no organ: nothing that could confirm them
+        return empty() if confirmation else turned(condition, group, table)
     chosen = table["release"] == release
     chosen &= table["organ"].isin(organs_of(sources, confirmation))
+    chosen &= rows_of(condition.sweeps, table)
     for column, values in group.items():
         if column not in table:
             raise InputError(f"the result file has no column {column}, which a claim chooses cases by")
@@ -104,7 +117,7 @@ def figures(
     for column in (*condition.figure, *condition.per):
         if column not in rows:
             raise InputError(f"the result file lacks the figure {column}; run it with that metric")
-    worst = worst_of(condition, sources)
+    worst = worst_of(condition, sources, should_be_more)
     if condition.data == "answers":
         return of_answers(condition, rows, worst)
     value = quotient(condition, rows)
@@ -151,7 +164,7 @@ def of_answers(condition: Condition, rows: pd.DataFrame, worst: float) -> pd.Dat
     )  # fmt: skip
 
 
-def worst_of(condition: Condition, sources: Sources) -> float:
+def worst_of(condition: Condition, sources: Sources, should_be_more: bool) -> float:
     """What a case that failed counts as: the end of the scale that is not better. A figure without a better end counts
     against the condition."""
     direction = {sources.better.get(metric_of(column, condition.data), "") for column in condition.figure}
@@ -159,7 +172,7 @@ def worst_of(condition: Condition, sources: Sources) -> float:
         return np.inf
     if direction == {"high"}:
         return -np.inf
-    return -np.inf if condition.asks_for_more else np.inf
+    return -np.inf if should_be_more else np.inf
 
 
 def metric_of(column: str, data: str) -> str:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..errors import InputError, unknown
+from .claim_sweeps import Sweep, read_sweeps
 
 RELATIONS = ("<", ">", "<=", ">=")
 DATA = ("runs", "answers", "turns")
@@ -28,6 +29,7 @@ class Condition:
     limit: float = 0
     times: float = 1
     each: dict[str, object] = field(default_factory=dict)  # what distinguishes it from others written with it
+    sweeps: tuple[Sweep, ...] = ()  # whose cases it is judged on; none: all
 
     @property
     def asks_for_more(self) -> bool:
@@ -40,8 +42,8 @@ class Claim:
     id: str
     place: str
     says: str
-    conditions: tuple[Condition, ...]
     pending: str  # why it cannot be judged yet; "" when it can
+    conditions: tuple[Condition, ...]
 
 
 CLAIM_KEYS = {"id", "place", "says", "sweeps", "data", "where", "condition", "pending"}
@@ -59,7 +61,7 @@ def read_claims(path: str) -> list[Claim]:
     if not isinstance(claims, list) or not claims:
         raise InputError(f"{path}: has no [[claim]]")
     try:
-        read = [read_claim(claim) for claim in claims]
+        read = [read_claim(claim, Path(path).parent) for claim in claims]
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
     ids = [claim.id for claim in read]
@@ -75,21 +77,27 @@ def choose_claims(claims: list[Claim], ids: list[str] | None) -> list[Claim]:
     return [claim for claim in claims if not ids or claim.id in ids]
 
 
-def read_claim(table: dict) -> Claim:
+def read_claim(table: dict, folder: Path) -> Claim:
+    if not isinstance(table, dict):
+        raise InputError(f"a claim is {table!r}; expected a table, [[claim]]")
     name = f"claim {table.get('id', 'without id')}"
     check_keys(name, table, CLAIM_KEYS)
     for key in ("id", "place", "says"):
         if not isinstance(table.get(key), str):
             raise InputError(f"{name}: expected a text as its {key}")
-    conditions = [one for entry in table.get("condition", []) for one in read_condition(name, table, entry)]
+    sweeps = read_sweeps(folder, table.get("sweeps", []))
+    conditions = [one for entry in table.get("condition", []) for one in read_condition(name, table, entry, sweeps)]
     if not conditions and "pending" not in table:
         raise InputError(f"{name}: has neither conditions nor the reason why it is pending")
-    return Claim(table["id"], table["place"], table["says"], tuple(conditions), table.get("pending", ""))
+    # What is said stands in the cells of tables: no line breaks.
+    said = (" ".join(table.get(key, "").split()) for key in ("id", "place", "says", "pending"))
+    return Claim(*said, conditions=tuple(conditions))
 
 
-def read_condition(name: str, claim: dict, entry: dict) -> list[Condition]:
+def read_condition(name: str, claim: dict, entry: dict, sweeps: tuple[Sweep, ...]) -> list[Condition]:
     """A condition for each value, or pair of values, of its `each`."""
     check_keys(f"a condition of {name}", entry, CONDITION_KEYS)
+    check_kinds(name, claim, entry)
     data, relation = entry.get("data", claim.get("data")), entry.get("is", "")
     if data not in DATA:
         raise InputError(f"{name}: data is \"{data}\"; expected {' or '.join(DATA)}")
@@ -97,6 +105,11 @@ def read_condition(name: str, claim: dict, entry: dict) -> list[Condition]:
         raise InputError(f"{name}: is \"{relation}\"; expected one of {' '.join(RELATIONS)}")
     if relation and ("limit" in entry) == ("than" in entry):
         raise InputError(f"{name}: a condition with `is` needs either limit or than")
+    if not relation and (useless := {"limit", "than", "times"} & entry.keys()):
+        keys = " and ".join(sorted(useless))
+        raise InputError(f"{name}: a condition has {keys} but no `is`, one of {' '.join(RELATIONS)}")
+    if "times" in entry and "than" not in entry:
+        raise InputError(f"{name}: a condition has times but no than, whose figure it multiplies")
     if not entry.get("figure"):
         raise InputError(f"{name}: a condition has no figure")
     shared = claim.get("where", {}) | entry.get("where", {})
@@ -108,9 +121,22 @@ def read_condition(name: str, claim: dict, entry: dict) -> list[Condition]:
         conditions.append(Condition(
             data, as_tuple(entry["figure"]), as_tuple(entry.get("per", ())),
             where(common | entry.get("of", {})), where(common | entry["than"]) if "than" in entry else {},
-            relation, float(entry.get("limit", 0)), float(entry.get("times", 1)), chosen,
+            relation, float(entry.get("limit", 0)), float(entry.get("times", 1)), chosen, sweeps,
         ))  # fmt: skip
     return conditions
+
+
+def check_kinds(name: str, claim: dict, entry: dict) -> None:
+    for key in ("where", "each", "of", "than"):
+        for table in (claim, entry):
+            if not isinstance(table.get(key, {}), dict):
+                raise InputError(f"{name}: {key} is {table[key]!r}; expected a table such as {{ speed = 20 }}")
+    for key, values in entry.get("each", {}).items():
+        if not isinstance(values, list) or not values:
+            raise InputError(f"{name}: each.{key} is {values!r}; expected a list of values")
+    for key in ("limit", "times"):
+        if isinstance(entry.get(key, 0), bool) or not isinstance(entry.get(key, 0), (int, float)):
+            raise InputError(f"{name}: {key} is {entry[key]!r}; expected a number")
 
 
 def where(table: dict) -> Where:

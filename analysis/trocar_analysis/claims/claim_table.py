@@ -12,7 +12,7 @@ from ..change_table import amount, p_text
 from ..paired import FEWEST_SEEDS, LEVEL, RESAMPLES
 from ..table import Column, aligned, markdown, number, readable_unit
 from .claim_file import Claim, Condition, Where
-from .verdicts import DESCRIBED, NO_DATA, PENDING, Judged, Verdict
+from .verdicts import NO_DATA, NOT, PARTLY, PENDING, REPRODUCED, TOO_FEW, Judged, Verdict
 
 MOST_ROWS = 24  # of a claim; of more only those that do not hold, and those nearest to failing
 
@@ -52,9 +52,10 @@ def overview(answers: list[Answer]) -> list[Column]:
     ]
     for title, chosen in (("", "verdicts"), ("confirmation, ", "confirmation")):
         for release in releases:
-            cells = [(verdict_text(getattr(answer, chosen)[release]), "") for answer in answers]
-            if chosen == "confirmation" and all(cell in (NO_DATA, PENDING) for cell, _ in cells):
+            verdicts = [getattr(answer, chosen)[release] for answer in answers]
+            if chosen == "confirmation" and all(verdict.word in (NO_DATA, PENDING) for verdict in verdicts):
                 continue
+            cells = [(verdict_text(verdict), "") for verdict in verdicts]
             columns.append(Column((f"{title}release {release}", ""), "", True, cells))
     columns.append(Column(("what it says", ""), "", True, [(answer.claim.says, "") for answer in answers]))
     return columns
@@ -62,9 +63,10 @@ def overview(answers: list[Answer]) -> list[Column]:
 
 def verdict_text(verdict: Verdict) -> str:
     asked = [one for one in verdict.judged if one.condition.relation]
-    if verdict.word in (DESCRIBED, NO_DATA, PENDING) or len(asked) < 2:
-        return verdict.word
-    return f"{verdict.word} ({verdict.held} of {len(asked)})"
+    if verdict.word in (REPRODUCED, PARTLY, NOT):
+        return f"{verdict.word} ({verdict.held} of {len(asked)})" if len(asked) > 1 else verdict.word
+    unsaid = sum(one.holds is None for one in asked)
+    return f"{verdict.word} ({unsaid} of {len(asked)})" if unsaid < len(asked) else verdict.word
 
 
 def heading(answer: Answer, style: str, level: str) -> list[str]:
@@ -138,17 +140,18 @@ def left_out(answer: Answer) -> str:
 
 def condition_text(condition: Condition, units: dict[str, str]) -> str:
     own = {
-        column: values for column, values in condition.of.items()
+        column: values for column, values in sorted(condition.of.items(), key=lambda item: item[0] != "label")
         if condition.than.get(column) != values or (column == "label" and column not in condition.each)
-    }
+    }  # fmt: skip
     other = {column: values for column, values in condition.than.items() if condition.of.get(column) != values}
     words = [" + ".join(condition.figure)]
     if condition.per:
         words.append("per " + " + ".join(condition.per))
-    around = ", ".join(name_of(column, (value,)) for column, value in condition.each.items() if column not in own)
+    # What both sides have in common is told where a claim has several of it, or where it is the speed.
+    shared = [column for column in condition.of if column in condition.each or column == "speed"]
     if not condition.than:
-        own = {column: own[column] for column in own if column in ("label", *condition.each)}
-        around = ""
+        own = {column: own[column] for column in own if column in ("label", *shared)}
+    around = ", ".join(name_of(column, condition.of[column]) for column in shared if column not in own)
     words.append(f"({said(own)})" if own else "")
     if condition.relation:
         words.append(RELATIONS[condition.relation])
@@ -203,8 +206,10 @@ def singly(one: Judged | None) -> str:
 
 
 def holds_text(one: Judged | None) -> str:
-    if one is None or one.holds is None:
+    if one is None or one.pairs == 0 or not one.condition.relation:
         return "–"
+    if one.holds is None:
+        return TOO_FEW
     return "yes" if one.holds else "no"
 
 
@@ -215,6 +220,6 @@ def legend(style: str) -> list[str]:
         "and the whole interval are on its side of 0.",
         "n: cases, or pairs; singly: of how many the condition holds one by one; p: Wilcoxon's signed-rank test, Holm's "
         "correction over the conditions of the claim. A case that failed counts as the worst value there is.",
-        f"An interval needs {FEWEST_SEEDS} seeds over all organs; without one no condition holds.",
+        f"An interval needs {FEWEST_SEEDS} seeds over all organs; with fewer ({TOO_FEW}) nothing is said.",
     ]
     return [f"- {line}" for line in lines] if style == "markdown" else lines

@@ -21,7 +21,8 @@ def reproduce(
 ) -> str:
     """The claims judged on a result file, as text, "markdown", or "json"."""
     claims = choose_claims(read_claims(claims_path), ids)
-    sources = read_sources(path, turns_path, better)
+    needs_results = any(one.data != "turns" for claim in claims for one in claim.conditions)
+    sources = read_sources(path if needs_results else None, turns_path, better)
     answers = [
         Answer(
             claim,
@@ -48,7 +49,7 @@ def corrected(verdict: Verdict) -> Verdict:
 
 
 def as_json(answer: Answer) -> dict:
-    """Numbers as they are; what is infinite or none as a text."""
+    """Numbers as they are, in the stored unit; what is infinite as a text, null for none."""
     return {
         "id": answer.claim.id,
         "says": answer.claim.says,
@@ -58,19 +59,22 @@ def as_json(answer: Answer) -> dict:
 
 
 def verdict_json(verdict: Verdict) -> dict:
-    numbers = ("of", "than", "median", "low", "high", "p")
+    numbers = {
+        "median_of": "of", "median_than": "than", "median": "median", "low": "low", "high": "high", "p": "p",
+    }  # fmt: skip
     return {
         "verdict": verdict.word,
         "conditions": [
             {
-                "figure": one.condition.figure, "per": one.condition.per, "of": one.condition.of, "than": one.condition.than,
+                "data": one.condition.data, "figure": one.condition.figure, "per": one.condition.per,
+                "each": one.condition.each, "of": one.condition.of, "than": one.condition.than,
                 "is": one.condition.relation, "limit": one.condition.limit, "times": one.condition.times,
                 "n": one.pairs, "failed": one.failed, "lacking": one.lacking, "singly": one.single, "holds": one.holds,
-            } | {name: finite(getattr(one, name)) for name in numbers}
+            } | {name: finite(getattr(one, attribute)) for name, attribute in numbers.items()}
             for one in verdict.judged
         ],
     }  # fmt: skip
 
 
-def finite(value: float) -> float | str:
-    return value if np.isfinite(value) else str(value)
+def finite(value: float) -> float | str | None:
+    return None if np.isnan(value) else str(value) if np.isinf(value) else value

@@ -12,7 +12,8 @@ from .claim_data import Sources, Values, values_of
 from .claim_file import Claim, Condition
 
 REPRODUCED, PARTLY, NOT = "reproduced", "partly", "not reproduced"
-DESCRIBED, PENDING, NO_DATA = "described", "not yet", "not run"
+DESCRIBED, PENDING = "described", "not yet"
+NO_DATA, NO_VALUE, TOO_FEW = "not run", "no value", "too few seeds"
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,7 @@ class Judged:
     high: float
     single: int  # cases or pairs of which the condition holds one by one
     p: float  # Wilcoxon's, two-sided; NaN where it compares with a limit
-    holds: bool | None  # None: described, or there are no data
+    holds: bool | None  # None: described, or there are no data, or too few seeds to say
 
 
 @dataclass(frozen=True)
@@ -53,11 +54,17 @@ def judge_claim(claim: Claim, sources: Sources, release: str, confirmation: bool
 
 
 def word_for(judged: list[Judged]) -> str:
-    if any(one.pairs == 0 for one in judged):
+    """Where one condition cannot be judged the claim is not: that something did not show is another thing than that it
+    was not looked at."""
+    if any(one.pairs == 0 and one.lacking == 0 for one in judged):
         return NO_DATA
+    if any(one.pairs == 0 for one in judged):
+        return NO_VALUE
     asked = [one.holds for one in judged if one.condition.relation]
     if not asked:
         return DESCRIBED
+    if any(holds is None for holds in asked):
+        return TOO_FEW
     return REPRODUCED if all(asked) else PARTLY if any(asked) else NOT
 
 
@@ -69,8 +76,7 @@ def judge(condition: Condition, values: Values) -> Judged:
     estimate = condition_interval(values.values, values.organs, values.seeds)
     single = int(on_side(condition, values.values).sum()) if condition.relation else 0
     holds = None
-    if condition.relation:
-        # With too few seeds for an interval nothing is said to hold.
+    if condition.relation and not np.isnan(estimate.low):
         holds = bool(np.all(on_side(condition, np.array([estimate.median, estimate.low, estimate.high]))))
     return Judged(
         condition, n, values.failed, values.lacking, median(values.of),
