@@ -1,0 +1,177 @@
+"""A sweep as small multiples: a row of panels per figure, a column per release, the swept condition along x, a line
+per strategy (and speed) with its name at its end."""
+
+from __future__ import annotations
+
+import textwrap
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure as Picture
+from matplotlib.style import context
+
+from . import palette
+from .sensitivity import Figure, Sweep
+from .sensitivity_panel import (
+    Line, Scale, draw_line, is_category, lines_of, places, scale_of, select, set_x, set_y, shift, tick_texts,
+)  # fmt: skip
+from .sensitivity_table import notes, shown_unit
+from .snapshot import save
+
+# Inches.
+LEFT, MARGIN = 0.72, 0.14  # of the first panel; around the picture
+PANEL_WIDTH, PANEL_HEIGHT = 2.75, 1.3  # the height where the names at the lines' ends need no more
+BETWEEN, ROW_GAP = 0.2, 0.5  # from panel to panel
+TITLE, RELEASE, TOP = 0.24, 0.58, 1.0  # from the upper edge down to the title, to the releases, to the first panels
+ROW_TITLE = 0.13  # above a panel
+NAME_GAP, NAME_STEP, NAME_LETTER = 0.3, 0.15, 0.068  # from a panel to names; from one to the next; width of a letter
+AXIS, TICK_LINE, NOTE_LINE = 0.58, 0.13, 0.17  # below the last panels; more for each further line of ticks; of a note
+NOTE_LETTER = 0.06
+DPI = 160
+
+HELD = {"contact": "a handled vertex stays put in contact", "step": "a handled vertex is free after its step"}
+BETTER = {"low": "↓ lower is better", "high": "↑ higher is better"}
+TAKEN = {
+    "mean": "mean over the window", "max": "largest in the window", "final": "last step of the window",
+    "p50": "median over the window", "p95": "95 % quantile over the window", "p99": "99 % quantile over the window",
+}  # fmt: skip
+
+
+def draw_sweep(sweep: Sweep, files: list[str]) -> None:
+    """Writes the picture into each of the files, .svg or .png. InputError where one cannot be written."""
+    with context([palette.STYLE, {"svg.fonttype": "none"}]):  # text that a reader can search and copy
+        picture = compose(sweep)
+        for file in files:
+            save(picture, file)
+
+
+def compose(sweep: Sweep) -> Picture:
+    lines = lines_of(sweep)
+    panels = sweep.points[sweep.panels].drop_duplicates().to_dict("records") or [{}]
+    at, ticks = places(sweep), tick_texts(places(sweep), is_category(sweep), PANEL_WIDTH)
+    height = max(PANEL_HEIGHT, NAME_STEP * len(lines))
+    right = LEFT + len(panels) * (PANEL_WIDTH + BETWEEN) - BETWEEN
+    width = right + NAME_GAP + NAME_LETTER * max(len(line.name) for line in lines) + MARGIN
+    said = [part for note in notes(sweep) for part in textwrap.wrap(note, int((width - 2 * MARGIN) / NOTE_LETTER))]
+    below = AXIS + TICK_LINE * max(text.count("\n") for text in ticks)
+    end = TOP + len(sweep.figures) * (height + ROW_GAP) - ROW_GAP
+    canvas = start(width, end + below + NOTE_LINE * len(said) + MARGIN)
+    canvas.text(MARGIN, TITLE, f"Sensitivity to: {words(sweep)}", va="center", fontsize=11, fontweight="bold")
+    for row, figure in enumerate(sweep.figures):
+        top = TOP + row * (height + ROW_GAP)
+        of_row = [add_panel(canvas, LEFT + k * (PANEL_WIDTH + BETWEEN), top, height) for k in range(len(panels))]
+        draw_row(canvas, of_row, sweep, figure, panels, lines, at)
+        title_row(canvas, figure, top, right)
+        for axes in of_row:
+            set_x(axes, at, is_category(sweep))
+            axes.set_xticklabels(ticks if row == len(sweep.figures) - 1 else [])
+        name_lines(canvas, of_row[-1], lines, top, height, right)
+    for k, panel in enumerate(panels):
+        title_column(canvas, LEFT + k * (PANEL_WIDTH + BETWEEN), panel.get("release"))
+        canvas.text(LEFT + k * (PANEL_WIDTH + BETWEEN) + PANEL_WIDTH / 2, end + below - 0.24, axis_words(sweep),
+                    ha="center", va="center")  # fmt: skip
+    for k, note in enumerate(said):
+        canvas.text(MARGIN, end + below + NOTE_LINE * (k + 0.5), note, va="center", fontsize=8, color=palette.FAINT_INK)
+    return canvas.figure
+
+
+def start(width: float, height: float) -> Axes:
+    """Axes over a whole new picture, in inches, y down."""
+    picture = Picture(figsize=(width, height), dpi=DPI)
+    FigureCanvasAgg(picture)
+    canvas = picture.add_axes((0, 0, 1, 1))
+    canvas.set(xlim=(0, width), ylim=(height, 0))
+    canvas.axis("off")
+    return canvas
+
+
+def add_panel(canvas: Axes, left: float, top: float, height: float) -> Axes:
+    picture = canvas.figure
+    width, whole = picture.get_size_inches()
+    axes = picture.add_axes(
+        (left / width, 1 - (top + height) / whole, PANEL_WIDTH / width, height / whole), facecolor=palette.BACKGROUND
+    )
+    axes.spines[:].set_visible(False)
+    axes.set_axisbelow(True)
+    axes.grid(color="white", linewidth=1)
+    axes.tick_params(length=0, labelcolor=palette.FAINT_INK, labelsize=8)
+    return axes
+
+
+def draw_row(
+    canvas: Axes, of_row: list[Axes], sweep: Sweep, figure: Figure, panels: list[dict], lines: list[Line],
+    at: dict[object, float],
+) -> None:  # fmt: skip
+    """A figure's panels, on one scale."""
+    points = sweep.points[sweep.points["metric"] == figure.name]
+    unit, factor = shown_unit(figure.unit, points)
+    points = points.assign(**{name: points[name] * factor for name in ("median", "low", "high")})
+    scale = scale_of(points)
+    for axes, panel in zip(of_row, panels):
+        set_y(axes, scale)
+        for line in lines:
+            draw_line(axes, line, select(points, panel | line.keys), at, scale, sweep.over)
+        if axes is not of_row[0]:
+            axes.set_yticklabels([])
+    of_row[0].set_ylabel((unit or figure.counted) + (", log scale" if scale.is_log else ""))
+    of_row[0].yaxis.set_label_coords(-0.5 / PANEL_WIDTH, 0.5)
+
+
+def title_row(canvas: Axes, figure: Figure, top: float, right: float) -> None:
+    title = canvas.text(LEFT, top - ROW_TITLE, figure.title, va="center", fontweight="bold")
+    taken = TAKEN.get(figure.name.partition("/")[0].rpartition("_")[2], "")
+    said = ", ".join(filter(None, [taken, BETTER.get(figure.better, "")]))
+    canvas.annotate(said, (1, 0.5), (6, 0), title, "offset points", va="center", fontsize=8, color=palette.FAINT_INK)
+
+
+def title_column(canvas: Axes, left: float, release: str | None) -> None:
+    if release is None:
+        return
+    title = canvas.text(left, RELEASE, f"release: {release}", va="center", fontweight="bold")
+    canvas.annotate(HELD.get(release, ""), (1, 0.5), (6, 0), title, "offset points", va="center", fontsize=8,
+                    color=palette.FAINT_INK)  # fmt: skip
+
+
+def name_lines(canvas: Axes, axes: Axes, lines: list[Line], top: float, height: float, right: float) -> None:
+    """Each line's name beside its last point, and a thin line to it."""
+    ends = []
+    marks = {mark.get_label(): mark for mark in axes.lines}
+    for line in lines:
+        x, y = marks[line.name].get_data()
+        if len(x):
+            ends.append((line, canvas.transData.inverted().transform(shift(axes, line).transform((x[-1], y[-1])))))
+    if not ends:
+        canvas.text(right + NAME_GAP, top + height / 2, "no value", va="center", fontsize=8, color=palette.FAINT_INK)
+        return
+    heights = keep_apart(np.array([place[1] for _, place in ends]), NAME_STEP, top, top + height)
+    for (line, (x, y)), at in zip(ends, heights):
+        canvas.plot([x, right + NAME_GAP * 0.3, right + NAME_GAP - 0.05], [y, y, at], color=line.color, linewidth=0.6,
+                    solid_joinstyle="round")  # fmt: skip
+        canvas.text(right + NAME_GAP, at, line.name, va="center", fontsize=8, color=line.color)
+
+
+def keep_apart(wanted: np.ndarray, step: float, low: float, high: float) -> np.ndarray:
+    """Places near the wanted ones, in their order, `step` or more apart and from low to high where there is room:
+    the least squares of what they are moved (pooled adjacent violators)."""
+    order = np.argsort(wanted, kind="stable")
+    pools: list[list[float]] = []  # mean and size of each
+    for k, place in enumerate(wanted[order]):
+        pools.append([place - k * step, 1])
+        while len(pools) > 1 and pools[-2][0] > pools[-1][0]:
+            mean, size = pools.pop()
+            pools[-1] = [(pools[-1][0] * pools[-1][1] + mean * size) / (pools[-1][1] + size), pools[-1][1] + size]
+    level = np.concatenate([[mean] * int(size) for mean, size in pools])
+    kept = np.empty(len(wanted))
+    kept[order] = np.clip(level, low, max(low, high - step * (len(wanted) - 1))) + step * np.arange(len(wanted))
+    return kept
+
+
+def words(sweep: Sweep) -> str:
+    return sweep.over_words if sweep.over_words == sweep.over else f"{sweep.over_words} ({sweep.over})"
+
+
+def axis_words(sweep: Sweep) -> str:
+    unit = f", {sweep.over_unit}" if sweep.over_unit else ""
+    scale = "" if is_category(sweep) else ", log scale"
+    return f"{sweep.over_words}{unit}{scale}"
