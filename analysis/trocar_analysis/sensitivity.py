@@ -11,9 +11,10 @@ import pandas as pd
 from .changes import metric_of
 from .conditions import condition_interval
 from .errors import InputError, unknown
+from .missing import reasons
 from .provenance import is_time, origins, warning
 from .store import CONDITIONS, ResultFile
-from .subject import CASES
+from .subject import CASES, tally
 from .summary import choose_figures, groups_in_order, only_rows
 from .table import number
 
@@ -50,6 +51,7 @@ class Figure:
     counted: str  # what it is a number of, where it has no unit
     better: str  # "low", "high" or "neither"
     values: pd.Series  # of each case, in `unit`; a failed case has the worst there is; NaN where there is none
+    lacking: str  # how many complete cases have no value, and why; "" when all have one
 
 
 @dataclass(frozen=True)
@@ -58,13 +60,13 @@ class Sweep:
 
     over: str
     over_words: str  # what it is
-    over_unit: str
+    units: dict[str, str]  # of the columns of `cases`
     panels: list[str]  # columns of `points` that tell panels apart: the release, or none
     lines: list[str]  # … and lines: the label, and the speed where there are several
     figures: list[Figure]
     points: pd.DataFrame  # see points_of
     cases: pd.DataFrame  # that it is made from
-    along: list[str]  # other conditions that have one value for each of the swept one, and not always the same
+    along: list[str]  # other conditions that vary, and have one value for each of the swept one
     cautions: list[str]  # what to say of times
 
 
@@ -87,7 +89,7 @@ def read_sweep(path: str, asked: Wishes) -> Sweep:
     lines = ["label", *(name for name in ("speed",) if name != over and name in cases and cases[name].nunique() > 1)]
     has_times = any(is_time(figure.name) for figure in figures)
     return Sweep(
-        over, words.get(over, over), units.get(over, ""), panels, lines, figures,
+        over, words.get(over, over), units, panels, lines, figures,
         points_of(cases, [*panels, over, *lines], figures), cases, along_with(cases, over, {*panels, *lines}),
         warning(origin.loc[cases.index]) if has_times else [],
     )  # fmt: skip
@@ -133,8 +135,23 @@ def figure_of(name: str, cases: pd.DataFrame, units: dict[str, str], better: dic
     metric = metric_of(column)
     direction = better.get(metric, "neither")
     worst = {"low": np.inf, "high": -np.inf}.get(direction, np.nan)
-    values = values.mask(cases["status"] != "complete", worst)
-    return Figure(name, USUAL.get(name, name), unit, COUNTED.get(metric, "1"), direction, values)
+    is_complete = cases["status"] == "complete"
+    lacking = lacking_words(name, cases[is_complete], values[is_complete])
+    values = values.where(is_complete, worst)
+    return Figure(name, USUAL.get(name, name), unit, COUNTED.get(metric, "1"), direction, values, lacking)
+
+
+def lacking_words(name: str, complete: pd.DataFrame, values: pd.Series) -> str:
+    column, _, divisor = name.partition("/")
+    without = complete[values.isna()]
+    if without.empty:
+        return ""
+    divides = without[column].notna()  # then it is the divisor that is NaN or 0
+    why = reasons(without[~divides], CASES.name_of(column))
+    if divides.any():
+        why[f"no {divisor} to divide by"] = int(divides.sum())
+    said = tally(why) if len(why) > 1 else next(iter(why))
+    return f"{name}: no value in {len(without)} of {len(complete)} complete cases ({said})"
 
 
 def points_of(cases: pd.DataFrame, keys: list[str], figures: list[Figure]) -> pd.DataFrame:
@@ -160,7 +177,5 @@ def points_of(cases: pd.DataFrame, keys: list[str], figures: list[Figure]) -> pd
 
 
 def along_with(cases: pd.DataFrame, over: str, told_apart: set[str]) -> list[str]:
-    names = [name for name in SWEPT if name in cases and name != over and name not in told_apart]
-    return [
-        name for name in names if cases[name].nunique() > 1 and cases.groupby(over)[name].nunique().eq(1).all()
-    ]  # fmt: skip
+    others = [name for name in SWEPT if name in cases and name not in {over, *told_apart}]
+    return [name for name in others if cases[name].nunique() > 1 and cases.groupby(over)[name].nunique().eq(1).all()]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import pandas as pd
 from matplotlib.axes import Axes
-from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, MaxNLocator, NullLocator
+from matplotlib.ticker import FixedLocator, FuncFormatter, MaxNLocator, NullLocator
 from matplotlib.transforms import ScaledTranslation, Transform
 from pandas.api.types import is_numeric_dtype
 
@@ -18,12 +18,13 @@ from .sensitivity import Sweep
 DODGE = 3.4  # points between neighbouring lines' marks at one value: intervals stand beside each other
 MARK_SIZE, FAILED_SIZE, MARK_EDGE = 4.4, 8.5, 1.1  # points
 LOG_FROM = 20  # largest over smallest median: from there on the axis is logarithmic
+MOST_LOG_TICKS = 6
 HEADROOM = 0.08  # of a panel, above its highest mark
 LOG_BEYOND = 0.35  # beyond the outermost values of a logarithmic axis, of the mean distance between two
 CATEGORY_BEYOND = 0.5
-TICK_LETTER = 0.075  # inches, width of one in a tick's label
+TICK_LETTER = 0.066  # inches, width of one in a tick's label
 
-FAINT_LINE = 0.35  # opacity between categories: there is nothing in between
+FAINT_LINE, FAINT_WIDTH = 0.4, 0.9  # between categories, where nothing is: opacity; points
 
 
 @dataclass(frozen=True)
@@ -111,9 +112,9 @@ def draw_line(axes: Axes, line: Line, points: pd.DataFrame, at: dict[object, flo
     points, x = points.iloc[order], x[order]
     y, low, high = (scale.edges(points[name].to_numpy(float)) for name in ("median", "low", "high"))
     shifted = shift(axes, line)
-    is_nominal = is_numeric_dtype(points[over]) is False
-    axes.plot(x, y, color=line.color, linestyle=line.dashes, linewidth=palette.SERIES_WIDTH, transform=shifted,
-              alpha=FAINT_LINE if is_nominal else 1, zorder=3)  # fmt: skip
+    opacity, width = (1, palette.SERIES_WIDTH) if is_numeric_dtype(points[over]) else (FAINT_LINE, FAINT_WIDTH)
+    axes.plot(x, y, color=line.color, linestyle=line.dashes, linewidth=width, alpha=opacity, transform=shifted,
+              zorder=3)  # fmt: skip
     has_interval = ~np.isnan(low)
     axes.vlines(x[has_interval], low[has_interval], high[has_interval], color=line.color,
                 linewidth=palette.INTERVAL_WIDTH, transform=shifted, zorder=4)  # fmt: skip
@@ -133,12 +134,22 @@ def set_y(axes: Axes, scale: Scale) -> None:
     axes.set_yscale("log" if scale.is_log else "linear")
     axes.set_ylim(scale.low, scale.high)
     if scale.is_log:
-        few = scale.high / scale.low < 300
-        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5) if few else (1,), numticks=12))
+        axes.yaxis.set_major_locator(FixedLocator(log_ticks(scale)))
     else:
-        axes.yaxis.set_major_locator(MaxNLocator(4, min_n_ticks=3))
+        axes.yaxis.set_major_locator(MaxNLocator(5, steps=(1, 2, 2.5, 5, 10)))
     axes.yaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: plain(value)))
+
+
+def log_ticks(scale: Scale) -> list[float]:
+    """As many steps of each power of ten as are few enough to read."""
+    powers = range(int(np.floor(np.log10(scale.low))), int(np.ceil(np.log10(scale.high))) + 1)
+    for steps in ((1, 2, 5), (1, 3), (1,)):
+        ticks = [step * 10.0**power for power in powers for step in steps]
+        ticks = [tick for tick in ticks if scale.low <= tick <= scale.high]
+        if len(ticks) <= MOST_LOG_TICKS:
+            break
+    return ticks
 
 
 def set_x(axes: Axes, at: dict[object, float], names_categories: bool) -> None:

@@ -4,14 +4,17 @@ per strategy (and speed) with its name at its end."""
 from __future__ import annotations
 
 import textwrap
+from io import BytesIO
 
 import numpy as np
+from PIL import Image
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Picture
 from matplotlib.style import context
 
 from . import palette
+from .errors import InputError
 from .sensitivity import Figure, Sweep
 from .sensitivity_panel import (
     Line, Scale, draw_line, is_category, lines_of, places, scale_of, select, set_x, set_y, shift, tick_texts,
@@ -26,15 +29,16 @@ BETWEEN, ROW_GAP = 0.2, 0.5  # from panel to panel
 TITLE, RELEASE, TOP = 0.24, 0.58, 1.0  # from the upper edge down to the title, to the releases, to the first panels
 ROW_TITLE = 0.13  # above a panel
 NAME_GAP, NAME_STEP, NAME_LETTER = 0.3, 0.15, 0.068  # from a panel to names; from one to the next; width of a letter
-AXIS, TICK_LINE, NOTE_LINE = 0.58, 0.13, 0.17  # below the last panels; more for each further line of ticks; of a note
+AXIS, AXIS_NAME, TICK_LINE = 0.62, 0.26, 0.13  # below the last panels; from its name down; for each further line of ticks
+NOTE_LINE = 0.17
 NOTE_LETTER = 0.06
-DPI = 160
+DPI, COLORS = 160, 256  # of a PNG
 
-HELD = {"contact": "a handled vertex stays put in contact", "step": "a handled vertex is free after its step"}
+HELD = {"contact": "held while in contact", "step": "held in its step only"}  # a handled vertex
 BETTER = {"low": "↓ lower is better", "high": "↑ higher is better"}
 TAKEN = {
-    "mean": "mean over the window", "max": "largest in the window", "final": "last step of the window",
-    "p50": "median over the window", "p95": "95 % quantile over the window", "p99": "99 % quantile over the window",
+    "mean": "mean of the steps", "max": "largest of the steps", "final": "of the last step",
+    "p50": "median of the steps", "p95": "95 % quantile of the steps", "p99": "99 % quantile of the steps",
 }  # fmt: skip
 
 
@@ -43,12 +47,26 @@ def draw_sweep(sweep: Sweep, files: list[str]) -> None:
     with context([palette.STYLE, {"svg.fonttype": "none"}]):  # text that a reader can search and copy
         picture = compose(sweep)
         for file in files:
-            save(picture, file)
+            if not file.lower().endswith((".png", ".svg")):
+                raise InputError(f"{file}: a picture's name ends in .png or .svg")
+        for file in files:
+            save_small(picture, file) if file.lower().endswith(".png") else save(picture, file)
+
+
+def save_small(picture: Picture, file: str) -> None:
+    """A PNG of few colours: a third of the size, and it looks the same."""
+    whole = BytesIO()
+    picture.savefig(whole, format="png")
+    try:
+        Image.open(whole).convert("RGB").quantize(COLORS, dither=Image.Dither.NONE).save(file, optimize=True)
+    except OSError as error:
+        raise InputError(f"{file}: cannot be written ({error.strerror or error})") from error
 
 
 def compose(sweep: Sweep) -> Picture:
     lines = lines_of(sweep)
-    panels = sweep.points[sweep.panels].drop_duplicates().to_dict("records") or [{}]
+    # The first release of a sweep file, which tells strategies apart best, on the right beside their names.
+    panels = sweep.points[sweep.panels].drop_duplicates().to_dict("records")[::-1] if sweep.panels else [{}]
     at, ticks = places(sweep), tick_texts(places(sweep), is_category(sweep), PANEL_WIDTH)
     height = max(PANEL_HEIGHT, NAME_STEP * len(lines))
     right = LEFT + len(panels) * (PANEL_WIDTH + BETWEEN) - BETWEEN
@@ -57,7 +75,7 @@ def compose(sweep: Sweep) -> Picture:
     below = AXIS + TICK_LINE * max(text.count("\n") for text in ticks)
     end = TOP + len(sweep.figures) * (height + ROW_GAP) - ROW_GAP
     canvas = start(width, end + below + NOTE_LINE * len(said) + MARGIN)
-    canvas.text(MARGIN, TITLE, f"Sensitivity to: {words(sweep)}", va="center", fontsize=11, fontweight="bold")
+    canvas.text(MARGIN, TITLE, f"Sensitivity to: {sweep.over_words}", va="center", fontsize=11, fontweight="bold")
     for row, figure in enumerate(sweep.figures):
         top = TOP + row * (height + ROW_GAP)
         of_row = [add_panel(canvas, LEFT + k * (PANEL_WIDTH + BETWEEN), top, height) for k in range(len(panels))]
@@ -69,8 +87,7 @@ def compose(sweep: Sweep) -> Picture:
         name_lines(canvas, of_row[-1], lines, top, height, right)
     for k, panel in enumerate(panels):
         title_column(canvas, LEFT + k * (PANEL_WIDTH + BETWEEN), panel.get("release"))
-        canvas.text(LEFT + k * (PANEL_WIDTH + BETWEEN) + PANEL_WIDTH / 2, end + below - 0.24, axis_words(sweep),
-                    ha="center", va="center")  # fmt: skip
+    canvas.text((LEFT + right) / 2, end + below - AXIS_NAME, axis_words(sweep), ha="center", va="center")
     for k, note in enumerate(said):
         canvas.text(MARGIN, end + below + NOTE_LINE * (k + 0.5), note, va="center", fontsize=8, color=palette.FAINT_INK)
     return canvas.figure
@@ -83,6 +100,7 @@ def start(width: float, height: float) -> Axes:
     canvas = picture.add_axes((0, 0, 1, 1))
     canvas.set(xlim=(0, width), ylim=(height, 0))
     canvas.axis("off")
+    canvas.set_zorder(1)  # lines to names begin on the panels
     return canvas
 
 
@@ -115,7 +133,7 @@ def draw_row(
         if axes is not of_row[0]:
             axes.set_yticklabels([])
     of_row[0].set_ylabel((unit or figure.counted) + (", log scale" if scale.is_log else ""))
-    of_row[0].yaxis.set_label_coords(-0.5 / PANEL_WIDTH, 0.5)
+    of_row[0].yaxis.set_label_coords(-0.46 / PANEL_WIDTH, 0.5)
 
 
 def title_row(canvas: Axes, figure: Figure, top: float, right: float) -> None:
@@ -167,11 +185,6 @@ def keep_apart(wanted: np.ndarray, step: float, low: float, high: float) -> np.n
     return kept
 
 
-def words(sweep: Sweep) -> str:
-    return sweep.over_words if sweep.over_words == sweep.over else f"{sweep.over_words} ({sweep.over})"
-
-
 def axis_words(sweep: Sweep) -> str:
-    unit = f", {sweep.over_unit}" if sweep.over_unit else ""
-    scale = "" if is_category(sweep) else ", log scale"
-    return f"{sweep.over_words}{unit}{scale}"
+    unit = sweep.units.get(sweep.over)
+    return ", ".join(filter(None, [sweep.over_words, unit, "" if is_category(sweep) else "log scale"]))

@@ -17,7 +17,7 @@ def notes(sweep: Sweep) -> list[str]:
     counts = points["cases"]
     n = f"{counts.min()}" if counts.min() == counts.max() else f"{counts.min()} to {counts.max()}"
     apart = {sweep.over, *sweep.panels, *sweep.lines, *sweep.along}
-    pooled = [name for name in (*CONDITIONS,) if name in cases and name not in apart and cases[name].nunique() > 1]
+    pooled = [name for name in CONDITIONS if name in cases and name not in apart and cases[name].nunique() > 1]
     of = ", ".join(f"{cases[name].nunique()} {plural(name)}" for name in pooled)
     said = [f"A point is the median over n = {n} cases" + (f" ({of})" if of else "") + "; " + interval_words(points)]
     failed = int((cases["status"] != "complete").sum())
@@ -26,11 +26,16 @@ def notes(sweep: Sweep) -> list[str]:
         "value there is, at the panel's edge, and is left out where neither way is better."
         if failed else f"None of the {len(cases)} cases failed."
     )  # fmt: skip
-    lacking = points.groupby("metric", sort=False)["no_value"].sum()
-    said += [f"Without a value of {name}: {count} cases." for name, count in lacking.items() if count]
-    if sweep.along:
-        said.append(f"Along with {sweep.over} goes {', '.join(sweep.along)}.")
-    return said + sweep.cautions
+    said += [f"{figure.lacking}." for figure in sweep.figures if figure.lacking]
+    return said + [f"{along_words(sweep, name)}." for name in sweep.along] + sweep.cautions
+
+
+def along_words(sweep: Sweep, name: str) -> str:
+    values = sweep.cases[name]
+    if not is_numeric_dtype(values):
+        return f"Each {sweep.over} has a {name} of its own"
+    ends = f"from {number(values.min())} to {number(values.max())} {sweep.units.get(name, '')}".rstrip()
+    return f"Along with {sweep.over} goes {name}, {ends}"
 
 
 def interval_words(points: pd.DataFrame) -> str:
@@ -54,9 +59,8 @@ def markdown_text(sweep: Sweep) -> str:
     """The points, one row per group and one column per figure: the median and its interval."""
     keys = [*sweep.panels, sweep.over, *sweep.lines]
     groups = sweep.points[sweep.points["metric"] == sweep.figures[0].name]
-    units = {sweep.over: sweep.over_unit}
     columns = [
-        Column(("strategy" if key == "label" else key, ""), units.get(key, ""), not is_numeric_dtype(groups[key]),
+        Column(("strategy" if key == "label" else key, ""), sweep.units.get(key, ""), not is_numeric_dtype(groups[key]),
                [(number(value), "") for value in groups[key]])
         for key in keys
     ]  # fmt: skip
