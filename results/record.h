@@ -57,6 +57,7 @@ struct Replay {
     std::vector<StoredPoint> rest_positions;
     std::vector<StoredPoint> tool_positions;  ///< in the tool's frame
     std::vector<std::array<std::int32_t, 3>> tool_facets;
+    std::array<float, 16> tool_start{};  ///< pose before the first step, as in ReplayStep
     std::vector<ReplayStep> steps;
 };
 

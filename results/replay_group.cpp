@@ -56,6 +56,8 @@ void write_tool_motion(hid_t group, const Replay& replay) {
     hdf5::write_numbers(group,
                         {"tool_pose", "mm", "tool frame to world, a matrix a step; its last column in mm"},
                         {poses.size(), 4, 4}, first_number(poses));
+    hdf5::write_numbers(group, {"tool_start", "mm", "tool frame to world before the first step"}, {4, 4},
+                        replay.tool_start.data());
     Points placed;
     write_motion(group, {"tool_placed", "mm", "tool vertices in the world"}, replay,
                  replay.tool_positions.size(), [&](const ReplayStep& step) -> const Points& {

@@ -29,6 +29,7 @@ def make_parser() -> argparse.ArgumentParser:
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
     subject = show.add_mutually_exclusive_group()
+    subject.add_argument("--each", action="store_true", help="one row per case, as CSV in full precision")
     subject.add_argument("--failures", action="store_true", help="the cases that did not complete, one a line")
     subject.add_argument(
         "--provenance", action="store_true", help="which programs on which machines the cases come from"
@@ -145,13 +146,15 @@ def make_parser() -> argparse.ArgumentParser:
 
 
 def run_show(arguments: argparse.Namespace) -> None:
-    from .show import Wishes, show_cases, show_failures, show_provenance, show_states
+    from .show import Wishes, show_cases, show_each, show_failures, show_provenance, show_states
 
     if (arguments.failures or arguments.provenance) and (arguments.by or arguments.metric):
         raise InputError("--failures and --provenance take no --by and no --metric: they show cases, not figures")
     width = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
     wishes = Wishes(arguments.only, names_of(arguments.by), arguments.metric, style_of(arguments), width)
-    chosen = {"states": show_states, "failures": show_failures, "provenance": show_provenance}
+    if arguments.each and (arguments.by or arguments.markdown):
+        raise InputError("--each takes no --by and no --markdown: it is one row per case, as CSV")
+    chosen = {"states": show_states, "each": show_each, "failures": show_failures, "provenance": show_provenance}
     table = next((function for name, function in chosen.items() if getattr(arguments, name)), show_cases)
     sys.stdout.write(table(arguments.file, wishes))
     sys.stdout.flush()

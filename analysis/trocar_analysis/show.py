@@ -12,7 +12,7 @@ from .failures import failures_text
 from .missing import notes
 from .options import option_columns
 from .provenance import is_time, origins, provenance_text, warning
-from .store import CONDITIONS, ResultFile
+from .store import CONDITIONS, INPUTS, OUTCOME, ResultFile
 from .subject import CASES, STATES, Subject, number_of_states, tally
 from .summary import choose_figures, choose_keys, only_rows, summarise
 from .table import INCOMPARABLE, number, render
@@ -66,6 +66,17 @@ def show_failures(path: str, wishes: Wishes) -> str:
     contents = read_cases(path)
     cases, _ = chosen_rows(path, contents.cases, CASES, wishes)
     return failures_text(path, cases, contents.units, wishes.style)
+
+
+def show_each(path: str, wishes: Wishes) -> str:
+    """One row per case: what it was run with, how it ended, and its figures (all, or those asked for) in full
+    precision and the stored units, as CSV."""
+    contents = read_cases(path)
+    cases, _ = chosen_rows(path, contents.cases, CASES, wishes)
+    numbers = [name for name in contents.cases if name not in (*INPUTS, *OUTCOME)]
+    figures = choose_figures(contents.cases, wishes.metrics, CASES) if wishes.metrics else numbers
+    known = [name for name in (*INPUTS, "status", "reason") if name in cases]
+    return cases[[*known, *figures]].to_csv(index=False)
 
 
 def show_provenance(path: str, wishes: Wishes) -> str:

@@ -24,6 +24,10 @@ struct Pose {
     }
 };
 
+/// After this part of the way from one pose to the other, from 0 to 1: the position goes straight, the
+/// rotation turns evenly about one axis, the shorter way round.
+Pose between(const Pose& from, const Pose& to, double part);
+
 /// The coordinates, in the tool's frame, at which a point is judged. Every question whose answer must be
 /// exact
 /// ("is it inside?", "does this facet cross?") is asked of these rounded coordinates, by detection and by the

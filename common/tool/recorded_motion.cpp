@@ -101,10 +101,7 @@ Pose RecordedMotion::at(double since_start) const {
     if (after == times.end()) return poses.back();
     const auto k = static_cast<std::size_t>(after - times.begin());
     const double part = (time - times[k - 1]) / (times[k] - times[k - 1]);
-    const Pose &a = poses[k - 1], &b = poses[k];
-    const Eigen::Quaterniond from(a.rotation), to(b.rotation);
-    return {.rotation = from.slerp(part, to).toRotationMatrix(),
-            .position = a.position + part * (b.position - a.position)};
+    return between(poses[k - 1], poses[k], part);
 }
 
 double RecordedMotion::tip_speed() const {

@@ -1,5 +1,6 @@
 #include "common/tool/walk.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -31,6 +32,22 @@ void Walk::go_to(const Vec3& position) {
         Pose pose = from;
         pose.position = part == 1 ? position : Vec3(from.position + part * (position - from.position));
         return pose;
+    });
+}
+
+void Walk::go_along(std::span<const Pose> way) {
+    std::vector<Pose> through{pose_};
+    through.insert(through.end(), way.begin(), way.end());
+    std::vector<double> gone_at{0};  // mm, at each of these poses
+    for (std::size_t k = 1; k < through.size(); ++k) {
+        gone_at.push_back(gone_at.back() + (through[k].position - through[k - 1].position).norm());
+    }
+    segment(gone_at.back(), [&](double part) {
+        if (part == 1) return through.back();
+        const double gone = part * gone_at.back();
+        const auto next = std::ranges::upper_bound(gone_at, gone) - gone_at.begin();
+        const double piece = gone_at[next] - gone_at[next - 1];
+        return between(through[next - 1], through[next], (gone - gone_at[next - 1]) / piece);
     });
 }
 

@@ -227,7 +227,8 @@ void add_run(CLI::App& app, Program& program) {
         ->add_option(
             "--only", options->filters,
             "key=value: run these cases only. Keys: strategy (name or label), organ, tool, scene, speed, "
-            "seed, release, an option's name. May be given several times: values of one key are alternatives")
+            "seed, rate, release, edge_stiffness, rest_stiffness, an option's name. May be given several "
+            "times: values of one key are alternatives")
         ->allow_extra_args(false);
     command
         ->add_option("--case-seconds", options->case_seconds,

@@ -24,7 +24,7 @@ constexpr const char* footer =
 struct ShowOptions {
     std::string file, by;
     std::vector<std::string> filters, metrics;
-    bool states = false, failures = false, provenance = false, csv = false, markdown = false;
+    bool states = false, each = false, failures = false, provenance = false, csv = false, markdown = false;
 
     [[nodiscard]] std::vector<std::string> arguments() const {
         std::vector<std::string> words{"show"};
@@ -32,6 +32,7 @@ struct ShowOptions {
         if (!by.empty()) words.push_back("--by=" + by);
         for (const std::string& metric : metrics) words.push_back("--metric=" + metric);
         if (states) words.emplace_back("--states");
+        if (each) words.emplace_back("--each");
         if (failures) words.emplace_back("--failures");
         if (provenance) words.emplace_back("--provenance");
         if (csv) words.emplace_back("--csv");
@@ -71,6 +72,13 @@ void add_show(CLI::App& app, Program& program) {
                                                 "which programs on which machines the cases come from");
     failures->excludes(states)->excludes(by)->excludes(metric);
     provenance->excludes(states)->excludes(by)->excludes(metric)->excludes(failures);
+    command
+        ->add_flag("--each", options->each,
+                   "one row per case, as CSV in full precision: what it was run with, and its figures")
+        ->excludes(states)
+        ->excludes(by)
+        ->excludes(failures)
+        ->excludes(provenance);
     CLI::Option* csv = command->add_flag("--csv", options->csv, "comma-separated, in full precision");
     command->add_flag("--markdown", options->markdown, "a Markdown table")->excludes(csv);
     command->callback([options, &program] { program.exit_code = run_analysis(options->arguments()); });

@@ -1,5 +1,6 @@
 #include "experiments/run/replay_recorder.h"
 
+#include <limits>
 #include <span>
 
 namespace trocar {
@@ -30,12 +31,17 @@ std::array<float, 16> stored(const Pose& pose) {
 }  // namespace
 
 Replay empty_replay(const Organ& organ, const Tool& tool) {
-    return {.facets = {organ.rest.facets.begin(), organ.rest.facets.end()},
-            .rest_positions = stored(organ.rest.positions),
-            .tool_positions = stored(tool.mesh.positions),
-            .tool_facets = {tool.mesh.facets.begin(), tool.mesh.facets.end()},
-            .steps = {}};
+    Replay replay{.facets = {organ.rest.facets.begin(), organ.rest.facets.end()},
+                  .rest_positions = stored(organ.rest.positions),
+                  .tool_positions = stored(tool.mesh.positions),
+                  .tool_facets = {tool.mesh.facets.begin(), tool.mesh.facets.end()},
+                  .tool_start = {},
+                  .steps = {}};
+    replay.tool_start.fill(std::numeric_limits<float>::quiet_NaN());
+    return replay;
 }
+
+void record_start(Replay& replay, const Pose& start) { replay.tool_start = stored(start); }
 
 void record_detected(Replay& replay, const Cycle& cycle) {
     ReplayStep& step = replay.steps.emplace_back();

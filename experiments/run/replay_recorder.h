@@ -5,8 +5,11 @@
 
 namespace trocar {
 
-/// A replay of this organ and tool, without steps.
+/// A replay of this organ and tool, without steps; where the tool starts is not known.
 Replay empty_replay(const Organ& organ, const Tool& tool);
+
+/// Where the tool is before the first step.
+void record_start(Replay& replay, const Pose& start);
 
 /// @{
 /// One step is recorded in three calls, each after the phase that it is named after.

@@ -67,6 +67,7 @@ Outcome run_steps(const CaseInputs& inputs, const PreparedScene& scene, Strategy
     Cycle cycle(organ, *inputs.tool.tool, scene.start, inputs.cycle, inputs.springs);
     Judge judge({*inputs.organ.judged, *inputs.tool.judged, cycle.positions(), cycle.tool().pose()},
                 judge_settings(inputs, scene, options));
+    if (gathered.replay) record_start(*gathered.replay, scene.start.tool);
     StateSampler sampler(inputs.case_id, options.same_state);
     const Handler handler = [&](const Contact& contact, Response& response) {
         strategy.handle(contact, response);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
-#include <unordered_set>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -14,6 +14,8 @@
 
 #include "experiments/scenes/distances.h"
 #include "experiments/scenes/draws.h"
+#include "experiments/scenes/mean_normal.h"
+#include "experiments/scenes/surface_way.h"
 #include "experiments/scenes/window.h"
 
 namespace trocar {
@@ -21,10 +23,15 @@ namespace {
 
 constexpr std::uint64_t most_draws = 10'000;
 
+/// A tip that goes along the surface is at least this part of its depth from it. Where the surface is bent or
+/// rough within two tool radii the mean normal does not point straight out of it; in the middle of a rim as
+/// wide as the tool a tip "below" the surface is as near to the walls, or outside.
+constexpr double least_depth = 0.5;
+
 /// A point of the organ at rest and the facet it lies on.
 struct EntryPoint {
     Vec3 position;
-    std::size_t facet;
+    Index facet;
 };
 
 /// A point drawn uniformly by area. @param areas_up_to sum of the areas of the facets up to each
@@ -37,7 +44,8 @@ EntryPoint point_by_area(const Organ& organ, const std::vector<double>& areas_up
     // Uniform over the triangle: the square root makes up for its narrowing towards a (Osada et al. 2002).
     const double along = std::sqrt(uniform[1]), across = uniform[2];
     const auto& p = organ.rest.positions;
-    return {(1 - along) * p[a] + along * (1 - across) * p[b] + along * across * p[c], facet};
+    return {(1 - along) * p[a] + along * (1 - across) * p[b] + along * across * p[c],
+            static_cast<Index>(facet)};
 }
 
 /// The point of a sheet over a point drawn uniformly from its outline: the same place for every sheet of that
@@ -60,32 +68,9 @@ EntryPoint point_over_outline(const Organ& organ, const Outline& outline,
         if (!(inside > best_inside)) continue;
         best_inside = inside;
         const Vec3 share = parts / parts.sum();
-        best = {share[0] * p[a] + share[1] * p[b] + share[2] * p[c], facet};
+        best = {share[0] * p[a] + share[1] * p[b] + share[2] * p[c], static_cast<Index>(facet)};
     }
     return best;
-}
-
-/// Mean outer normal, by area, of the facets that are connected to the point by facets whose centre is within
-/// `radius` of it.
-Vec3 mean_normal(const Organ& organ, const EntryPoint& point, double radius) {
-    const auto& p = organ.rest.positions;
-    std::vector<std::size_t> connected{point.facet};
-    std::unordered_set<std::size_t> seen{point.facet};
-    Vec3 sum = Vec3::Zero();
-    // The list grows while it is walked: a flood over shared vertices.
-    for (std::size_t next = 0; next < connected.size(); ++next) {
-        sum += organ.rest_areas[connected[next]] * organ.rest_normals[connected[next]];
-        for (const Index vertex : organ.rest.facets[connected[next]]) {
-            for (const Index beside : organ.adjacency.ring(vertex)) {
-                const auto [a, b, c] = organ.rest.facets[beside];
-                const Vec3 centre = (p[a] + p[b] + p[c]) / 3;
-                if ((centre - point.position).norm() <= radius && seen.insert(beside).second) {
-                    connected.push_back(beside);
-                }
-            }
-        }
-    }
-    return sum.normalized();
 }
 
 /// Unit vector orthogonal to `normal`, turned about it by `turn` of a full circle.
@@ -124,10 +109,42 @@ bool way_near_boundary(const Organ& organ, const Vec3& from, const Vec3& to, dou
     return false;
 }
 
-/// Whether the tool can be there before it comes in: not where it would stand in an opposite wall, as in a
-/// tube.
-bool clear_of_organ(const SceneInputs& inputs, const Placement& at) {
-    return !window_of(inputs, {upright_pose(at, at.entry + scenes::clear * at.normal)}).front();
+/// Whether the surface is thick enough, or thin enough, beneath a point of it.
+bool thick_as_asked(const SceneInputs& inputs, const PlacementRule& rule, const Vec3& point,
+                    const Vec3& normal) {
+    const double skip = 2e-6 * inputs.tool.radius;  // the surface at the point itself
+    const auto through = inputs.organ_queries.distance_to_exit(point, -normal, skip);
+    return (through && *through < 2 * rule.depth) == rule.thin;
+}
+
+/// Whether the tool can be 3 mm over each of these poses: not where it would stand in an opposite wall, as in
+/// a tube.
+bool clear_of_organ(const SceneInputs& inputs, std::vector<Pose> poses) {
+    for (Pose& pose : poses) pose.position += scenes::clear * pose.rotation.col(2);
+    return std::ranges::none_of(window_of(inputs, poses), std::identity());
+}
+
+/// Whether a tool can go by that stands `rule.depth` below this point of the surface, upright on it.
+bool can_go_by(const SceneInputs& inputs, const PlacementRule& rule, const Pose& on_surface) {
+    const Vec3& point = on_surface.position;
+    const Vec3 normal = on_surface.rotation.col(2);
+    return !near_boundary(inputs.organ, point, 2 * inputs.tool.radius) &&
+           thick_as_asked(inputs, rule, point, normal) &&
+           inputs.organ_queries.distance(point - rule.depth * normal) >= least_depth * rule.depth;
+}
+
+/// The poses on the surface of a tool that goes along it as the rule says, the entry point first. None where
+/// it cannot.
+std::optional<std::vector<Pose>> stations(const SceneInputs& inputs, const PlacementRule& rule,
+                                          const Placement& at) {
+    const Pose entry = upright_pose(at, at.entry);
+    if (rule.along == 0) return std::vector{entry};
+    auto way = surface_way(inputs, entry, rule.along);
+    if (!way) return std::nullopt;
+    way->insert(way->begin(), entry);
+    const bool suited =
+        std::ranges::all_of(*way, [&](const Pose& pose) { return can_go_by(inputs, rule, pose); });
+    return suited ? way : std::nullopt;
 }
 
 std::string no_place(const SceneInputs& inputs, const PlacementRule& rule) {
@@ -136,11 +153,13 @@ std::string no_place(const SceneInputs& inputs, const PlacementRule& rule) {
                                    : fmt::format("{:.4g} mm from the boundary, ", 2 * inputs.tool.radius);
     const std::string wall = rule.thin ? fmt::format("opposite a wall nearer than {:.4g} mm", 2 * rule.depth)
                                        : fmt::format("at least {:.4g} mm thick", 2 * rule.depth);
+    const std::string along =
+        rule.along == 0 ? "" : fmt::format(", for {:.4g} mm along the surface", rule.along);
     const std::string remedy = rule.thin ? "a thinner organ (tube, cleft, or a smaller \"size\")"
                                          : "a larger organ (its \"size\") or a slimmer tool";
     return fmt::format(
-        "seed {}: none of {} points drawn on organ \"{}\" is {}{} and free for the tool to come in; use {}",
-        inputs.seed, most_draws, inputs.organ.name, inland, wall, remedy);
+        "seed {}: none of {} points drawn on organ \"{}\" is {}{} and free for the tool to come in{}; use {}",
+        inputs.seed, most_draws, inputs.organ.name, inland, wall, along, remedy);
 }
 
 }  // namespace
@@ -158,14 +177,13 @@ Placement place(const SceneInputs& inputs, const PlacementRule& rule) {
                                                : point_by_area(organ, areas_up_to, uniform);
         const Vec3& entry = point.position;
         if (way_near_boundary(organ, entry, entry, reach)) continue;
-        const Vec3 normal = mean_normal(organ, point, reach);
+        const Vec3 normal = mean_normal(organ, entry, point.facet, reach);
         const Vec3 tangent = tangent_of(normal, free[0]);
         if (way_near_boundary(organ, entry, entry + rule.aside * tangent, reach)) continue;
-        const double skip = 1e-6 * reach;  // the surface at the point itself
-        const auto through = inputs.organ_queries.distance_to_exit(entry, -normal, skip);
-        if ((through && *through < 2 * rule.depth) != rule.thin) continue;
+        if (!thick_as_asked(inputs, rule, entry, normal)) continue;
         const Placement placement{.entry = entry, .normal = normal, .tangent = tangent, .phase = free[1]};
-        if (clear_of_organ(inputs, placement)) return placement;
+        const auto way = stations(inputs, rule, placement);
+        if (way && clear_of_organ(inputs, *way)) return placement;
     }
     throw PlacementError(no_place(inputs, rule));
 }

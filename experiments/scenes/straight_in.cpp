@@ -3,7 +3,6 @@
 #include "common/tool/walk.h"
 #include "experiments/scenes/distances.h"
 #include "experiments/scenes/placement.h"
-#include "experiments/scenes/window.h"
 
 namespace trocar::scenes {
 
@@ -20,15 +19,6 @@ ScenePlan straight_in(const SceneInputs& inputs, const Placement& at, const Vec3
 
 Insertion inserted(const Placement& at, double depth) {
     return {.direction = -at.normal, .length = depth + clear};
-}
-
-double way_out(const SceneInputs& inputs, const Placement& at, const Vec3& tip) {
-    constexpr int most = 100;
-    for (int k = 1; k < most; ++k) {
-        const double way = k * clear;
-        if (!window_of(inputs, {upright_pose(at, tip + way * at.normal)}).front()) return way;
-    }
-    return most * clear;
 }
 
 }  // namespace trocar::scenes

@@ -12,8 +12,4 @@ ScenePlan straight_in(const SceneInputs& inputs, const Placement& at, const Vec3
 /// How a tool that starts `depth` (mm) below the entry point came there: along −n, from 3 mm clear.
 Insertion inserted(const Placement& at, double depth);
 
-/// How far (mm) a tool whose tip is at `tip` has to go along the normal until it meets the organ at rest no
-/// more: a whole number of 3 mm.
-double way_out(const SceneInputs& inputs, const Placement& at, const Vec3& tip);
-
 }  // namespace trocar::scenes

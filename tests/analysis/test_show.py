@@ -34,6 +34,17 @@ class Show(ProgramTest):
         self.assertEqual((row["cases"], row["failed"], row["nan"], row["units"]), ("5", "0", "0", "mm"))
         self.assertIn("3 (2–4)", self.output_of("show", self.file))
 
+    def test_each_is_one_row_per_case_in_full_precision(self):
+        self.write(cases_of("a", 100, [1 / 3, 2.0]), cases_of("b", 20, [0.1], status="failed", reason="it, \"broke\""))
+        rows = list(csv.DictReader(io.StringIO(self.output_of("show", self.file, "--each"))))
+        self.assertEqual([row["case_id"] for row in rows], ["a-100-0", "a-100-1", "b-20-0"])
+        self.assertEqual(float(rows[0]["depth_max_d_max"]), 1 / 3)
+        self.assertEqual((rows[2]["status"], rows[2]["reason"]), ("failed", 'it, "broke"'))
+        few = self.output_of("show", self.file, "--each", "--only", "speed=20", "--metric", "time_handle_p50")
+        (row,) = csv.DictReader(io.StringIO(few))
+        self.assertNotIn("depth_max_d_max", row)
+        self.assert_refused("show", self.file, "--each", "--by", "label", saying=["--each"])
+
     def test_rounding_is_shown_as_zero(self):
         self.write(cases_of("a", 100, [8.6e-15, 9.1e-15]), cases_of("b", 100, [2e-11, 2e-11]))
         shown = self.output_of("show", self.file, "--by", "label")

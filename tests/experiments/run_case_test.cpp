@@ -77,6 +77,7 @@ TEST(RunCase, FillsColumnsSeriesAndReplay) {
     ASSERT_TRUE(record.replay);
     ASSERT_EQ(record.replay->steps.size(), record.time.size());
     const ReplayStep& step = record.replay->steps.back();
+    EXPECT_EQ(record.replay->tool_start, step.tool_pose) << "penetration goes back to where it started";
     EXPECT_EQ(step.found.size(), inputs.organ.organ->rest.positions.size());
     EXPECT_EQ(step.handled.size(), step.found.size());
     EXPECT_EQ(step.deformed.size(), step.found.size());

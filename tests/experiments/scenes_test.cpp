@@ -88,22 +88,6 @@ TEST_P(AtSpeed, ExtractionStarts8mmDeepAndLeaves) {
     scene.expect_walked();
 }
 
-TEST_P(AtSpeed, SlidingStarts3mmDeepGoes30mmAsideHoldsAndLeaves) {
-    const Laid scene("sliding", GetParam());
-    EXPECT_NEAR(scene.height(scene.plan.start), -3, 1e-12);
-    EXPECT_TRUE(scene.plan.insertion);
-    double furthest = 0;
-    for (const Pose& pose : scene.plan.poses) furthest = std::max(furthest, scene.along(pose));
-    EXPECT_NEAR(furthest, 30, 1e-9);
-    const auto held = std::ranges::count_if(scene.plan.poses, [&](const Pose& pose) {
-        return std::abs(scene.along(pose) - 30) < 1e-9 && std::abs(scene.height(pose) + 3) < 1e-9;
-    });
-    EXPECT_EQ(held, 1 + hold_steps);
-    EXPECT_NEAR(scene.height(scene.plan.poses.back()), 3, 1e-9);
-    scene.expect_upright();
-    scene.expect_walked();
-}
-
 TEST_P(AtSpeed, ObliqueGoesInAt45Degrees) {
     const Laid scene("oblique", GetParam());
     EXPECT_NEAR(scene.height(scene.plan.start), 3, 1e-12);

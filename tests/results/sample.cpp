@@ -70,6 +70,7 @@ Replay sample_replay(std::size_t steps) {
                   .rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                   .tool_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                   .tool_facets = {{0, 1, 2}},
+                  .tool_start = {0, -1, 0, 10, 1, 0, 0, 20, 0, 0, 1, -5, 0, 0, 0, 1},
                   .steps = {}};
     for (std::size_t k = 0; k < steps; ++k) {
         const auto at = static_cast<float>(k);

@@ -97,6 +97,7 @@ TEST_F(WriteTest, ReplayComesBackStepByStep) {
         EXPECT_EQ(at("deformed", {3, 4, 3}).at(12 * k + 11), 300 + step);
         EXPECT_EQ(at("tool_pose", {3, 4, 4}).at(16 * k + 11), step);
     }
+    EXPECT_EQ(at("tool_start", {4, 4}), (Figures{0, -1, 0, 10, 1, 0, 0, 20, 0, 0, 1, -5, 0, 0, 0, 1}));
     EXPECT_EQ(at("facets", {4, 3}), (Figures{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3}));
     EXPECT_EQ(at("rest_positions", {4, 3}), (Figures{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}));
     EXPECT_EQ(at("tool_facets", {1, 3}), (Figures{0, 1, 2}));

@@ -6,8 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include <Eigen/Geometry>
-
 #include "common/geometry/surface_queries.h"
 
 namespace trocar {
@@ -23,12 +21,6 @@ double furthest_move(const Box& tool, const Pose& from, const Pose& to) {
     }
     constexpr double arc_over_chord = std::numbers::pi / 2;  // of half a turn
     return longest * arc_over_chord;
-}
-
-Pose between(const Pose& from, const Pose& to, double part) {
-    const Eigen::Quaterniond one(from.rotation), other(to.rotation);
-    return {.rotation = one.slerp(part, other).toRotationMatrix(),
-            .position = from.position + part * (to.position - from.position)};
 }
 
 /// Gathers the vertices that a tool comes near.

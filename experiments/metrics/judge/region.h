@@ -18,8 +18,8 @@ struct Region {
 Region region_of(const JudgedOrgan& organ, std::vector<Index> vertices);
 
 /// The vertices of the organ at rest that come within two tool radii of the tool, or inside it, while it goes
-/// from `start` through these poses. Between two poses it is looked at as often as it takes for none of its
-/// points to go further than a quarter of its radius.
+/// from `start` through these poses. Between two poses, where its tip goes straight and it turns evenly, it
+/// is looked at as often as it takes for none of its points to go further than a quarter of its radius.
 std::vector<Index> vertices_near_sweep(const Organ& organ, const Tool& tool, const Pose& start,
                                        std::span<const Pose> poses);
 

@@ -10,10 +10,6 @@ import numpy as np
 
 from . import geometry
 
-CLEAR = 3  # mm: how far outside the organ scenes start and end
-EXTRACTION_DEPTH = 8  # mm
-SLIDE = 30  # mm
-
 
 @dataclass
 class Case:
@@ -27,6 +23,7 @@ class Case:
     moved: list  # vertices that the strategy displaced, a step
     tool_positions: np.ndarray  # in the tool's frame
     tool_facets: np.ndarray
+    start: np.ndarray  # pose before the first step, [4, 4]
     poses: np.ndarray  # [steps, 4, 4]
 
     @property
@@ -67,27 +64,6 @@ class Case:
     def pose_before(self, step):
         return self.poses[step - 1] if step else self.start
 
-    @cached_property
-    def start(self):
-        """Where the tool was before the first step; the replay begins after it.
-
-        Out of scenes.md: scenes that start clear of the organ withdraw to where they started. An extraction is one
-        straight way from 8 mm deep to 3 mm clear. Sliding goes 30 mm from its start to where it holds.
-        """
-        start = self.poses[0].copy()
-        tips, axis = self.poses[:, :3, 3], self.poses[0, :3, 2]
-        scene = self.columns["scene"]
-        if scene in ("penetration", "cutting"):
-            start[:3, 3] = tips[-1]
-        elif scene == "extraction":
-            start[:3, 3] = tips[-1] - (CLEAR + EXTRACTION_DEPTH) * axis
-        elif scene == "sliding":
-            held = np.flatnonzero(np.linalg.norm(np.diff(tips, axis=0), axis=1) == 0)[0]
-            start[:3, 3] = tips[held] - SLIDE * (tips[1] - tips[0]) / np.linalg.norm(tips[1] - tips[0])
-        else:
-            raise ValueError(f"no start is known for the scene {scene}")
-        return start
-
 
 def to_tool(pose, points):
     """From the world into the frame of a tool at `pose`."""
@@ -115,9 +91,6 @@ def read_case(file, identifier):
         columns[name] = data.asstr()[row] if data.dtype == object else data[row]
     replay = file["replay"][identifier]
     numbers = {name: data[:] for name, data in replay.items()}
-    poses = numbers["tool_pose"].astype(float)
-    if np.abs(poses[:, :3, :3] - poses[0, :3, :3]).max() > 0:
-        raise ValueError("the oracle knows straight motions only, as all of paper.toml are; this tool turns")
     return Case(
         columns=columns,
         series={name: data[:] for name, data in file["series"][identifier].items()},
@@ -129,7 +102,8 @@ def read_case(file, identifier):
         moved=np.split(numbers["moved"], numbers["moved_offsets"][1:-1]),
         tool_positions=numbers["tool_positions"].astype(float),
         tool_facets=numbers["tool_facets"],
-        poses=poses,
+        start=numbers["tool_start"].astype(float),
+        poses=numbers["tool_pose"].astype(float),
     )
 
 

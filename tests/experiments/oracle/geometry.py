@@ -101,25 +101,25 @@ def distances(points, corners):
     return np.where(over, np.abs(height), nearest).min(axis=1)
 
 
-def side(a, b, c, d):
-    """1 where d is on the side of a, b, c that their normal points to, −1 on the other, 0 where rounding may decide.
+def side(a, b, c, d, slack=ROUNDING):
+    """1 where d is on the side of a, b, c that their normal points to, −1 on the other, 0 where `slack` may decide.
 
-    Moving a corner by ROUNDING changes the spanned volume by no more than that times the area opposite. The areas are
+    Moving a corner by `slack` changes the spanned volume by no more than that times the area opposite. The areas are
     bounded by lengths first, and computed where that does not do.
     """
     ab, ac, ad = b - a, c - a, d - a
     base = cross(ab, ac)
     spanned = dot(base, ad)
-    bound = 2 * ROUNDING * (length(base) + length(ad) * (length(ab) + length(ac)))
+    bound = 2 * slack * (length(base) + length(ad) * (length(ab) + length(ac)))
     signs = np.sign(spanned).astype(int)
     close = np.flatnonzero(np.abs(spanned) <= bound)
     base, left, right = base[close], cross(ac[close], ad[close]), cross(ad[close], ab[close])
-    bound = ROUNDING * (length(base) + length(left) + length(right) + length(base + left + right))
+    bound = slack * (length(base) + length(left) + length(right) + length(base + left + right))
     signs[close[np.abs(spanned[close]) <= bound]] = 0
     return signs
 
 
-def apart_in_plane(p, q, corners):
+def apart_in_plane(p, q, corners, slack):
     """Whether a line across the facet's plane divides segment from facet: tells disjoint ones in one plane apart."""
     normal = area_vectors(corners)
     apart = np.zeros(len(p), bool)
@@ -128,19 +128,19 @@ def apart_in_plane(p, q, corners):
         axis = axis / np.maximum(length(axis), 1e-300)[:, None]
         facet = dot(corners, axis[:, None])
         segment = np.stack([dot(p, axis), dot(q, axis)], axis=1)
-        apart |= facet.min(axis=1) - segment.max(axis=1) > 2 * ROUNDING
-        apart |= segment.min(axis=1) - facet.max(axis=1) > 2 * ROUNDING
+        apart |= facet.min(axis=1) - segment.max(axis=1) > 2 * slack
+        apart |= segment.min(axis=1) - facet.max(axis=1) > 2 * slack
     return apart
 
 
-def crossings(p, q, corners):
-    """Whether each segment p[n] q[n] passes through the facet corners[n]: a verdict."""
+def crossings(p, q, corners, slack=ROUNDING):
+    """Whether each segment p[n] q[n] passes through the facet corners[n]: a verdict; ends may be off by `slack` (mm)."""
     verdicts = np.full(len(p), -1)
     a, b, c = np.moveaxis(corners, 1, 0)
-    from_p, from_q = side(a, b, c, p), side(a, b, c, q)
+    from_p, from_q = side(a, b, c, p, slack), side(a, b, c, q, slack)
     left = np.flatnonzero(from_p * from_q <= 0)
     p, q, a, b, c = p[left], q[left], a[left], b[left], c[left]
-    turns = np.stack([side(p, q, a, b), side(p, q, b, c), side(p, q, c, a)])
+    turns = np.stack([side(p, q, *ends, slack) for ends in ((a, b), (b, c), (c, a))])
     missed = (turns.min(axis=0) < 0) & (turns.max(axis=0) > 0)
     sure = (from_p * from_q)[left] < 0
     sure &= np.abs(turns.sum(axis=0)) == 3
@@ -148,13 +148,13 @@ def crossings(p, q, corners):
     unsure = left[verdicts[left] == 0]
     if len(unsure):
         again = verdicts[left] == 0
-        verdicts[unsure] = np.where(apart_in_plane(p[again], q[again], corners[unsure]), -1, 0)
+        verdicts[unsure] = np.where(apart_in_plane(p[again], q[again], corners[unsure], slack), -1, 0)
     return verdicts
 
 
-def box(corners):
+def box(corners, slack=ROUNDING):
     """Lowest and highest coordinates of each set of corners, a little widened."""
-    return corners.min(axis=1) - ROUNDING, corners.max(axis=1) + ROUNDING
+    return corners.min(axis=1) - slack, corners.max(axis=1) + slack
 
 
 def meeting_boxes(first, second):

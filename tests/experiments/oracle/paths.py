@@ -5,7 +5,7 @@ For the oracle alone; it shares nothing with the program's judge.
 
 import numpy as np
 
-from . import geometry
+from . import geometry, motion
 from .answer import ROUNDING
 from .case import to_tool
 from .vertices import inside_tool
@@ -16,30 +16,40 @@ PARALLEL = np.radians(5)
 
 
 class Walls:
-    """Which facets of the tool a straight way [n] in the tool's frame passes, and where."""
+    """Which facets of the tool ways in the tool's frame pass, and where; each way is of chords of equal length.
 
-    def __init__(self, tool, start, end):
-        count = len(tool)
-        self.verdicts = np.full((len(start), count), -1)
-        self.place = np.full((len(start), count), np.nan)
+    Verdicts, places and directions are [ways, chords · facets]: a chord's facets side by side.
+    """
+
+    def __init__(self, tool, places, slack=ROUNDING):
+        """Of ways through `places` [chords + 1, ways, 3], which may be off by `slack` (mm)."""
+        chords, ways, self.facets = len(places) - 1, places.shape[1], len(tool)
+        start, end = places[:-1].reshape(-1, 3), places[1:].reshape(-1, 3)
+        verdicts = np.full((chords * ways, self.facets), -1)
+        place, inwards = np.full(verdicts.shape, np.nan), np.zeros(verdicts.shape, bool)
         normals = geometry.area_vectors(tool)
         normals /= geometry.length(normals)[:, None]
-        ways, facets = geometry.meeting_boxes(geometry.box(np.stack([start, end], axis=1)), geometry.box(tool)).T
-        p, q = start[ways], end[ways]
-        self.verdicts[ways, facets] = geometry.crossings(p, q, tool[facets])
+        boxes = geometry.box(np.stack([start, end], axis=1), slack), geometry.box(tool)
+        rows, facets = geometry.meeting_boxes(*boxes).T
+        p, q = start[rows], end[rows]
+        verdicts[rows, facets] = geometry.crossings(p, q, tool[facets], slack)
         fall = geometry.dot(q - p, normals[facets])
         height = geometry.dot(p - tool[facets, 0], normals[facets])
-        self.place[ways, facets] = height / np.where(fall == 0, np.nan, -fall)
-        self.inwards = np.zeros((len(start), count), bool)
-        self.inwards[ways, facets] = fall < 0
-        self.long = geometry.length(end - start)
+        place[rows, facets] = rows // max(ways, 1) + height / np.where(fall == 0, np.nan, -fall)
+        inwards[rows, facets] = fall < 0
+
+        def by_way(found):
+            return found.reshape(chords, ways, self.facets).swapaxes(0, 1).reshape(ways, chords * self.facets)
+
+        self.verdicts, self.place, self.inwards = by_way(verdicts), by_way(place), by_way(inwards)
+        self.doubt = slack / np.maximum(geometry.length(places[1] - places[0]), slack)  # of a chord
 
     def last(self, way, inwards):
         """Facets that may be the last one that this way goes in (out) through."""
         passed = (self.verdicts[way] >= 0) & (self.inwards[way] == inwards) & np.isfinite(self.place[way])
         sure = passed & (self.verdicts[way] > 0)
         furthest = np.max(self.place[way], where=sure if sure.any() else passed, initial=-np.inf)
-        return np.flatnonzero(passed & (self.place[way] >= furthest - ROUNDING / max(self.long[way], ROUNDING)))
+        return np.flatnonzero(passed & (self.place[way] >= furthest - self.doubt[way])) % self.facets
 
 
 def tunnelled(before, now, on_the_way):
@@ -86,24 +96,31 @@ class Entries:
         return 1 if turned.all() else -1
 
 
-def near_tool(case, *ends):
-    """Vertices of whose way in the tool's frame the box comes near the tool's."""
-    low, high = np.minimum.reduce(ends), np.maximum.reduce(ends)
-    meet = (low <= case.tool_positions.max(axis=0) + ROUNDING) & (high >= case.tool_positions.min(axis=0) - ROUNDING)
+def near_tool(case, places, slack):
+    """Vertices of whose way in the tool's frame, along these places, the box comes near the tool's."""
+    low, high = places.min(axis=0) - slack, places.max(axis=0) + slack
+    meet = (low <= case.tool_positions.max(axis=0)) & (high >= case.tool_positions.min(axis=0))
     return np.flatnonzero(meet.all(axis=1))
 
 
 def judge_ways(case, answers):
-    """A step is three ways in the tool's frame: the tool moves, handling moves, deformation moves."""
+    """A step is three ways in the tool's frame: the tool moves by a screw, handling moves, deformation moves."""
     entries = Entries(case)
     passed = np.full(len(case.rest), -1)  # in the deformation of the step before
     for step in range(case.steps):
         pose, before = case.poses[step], case.pose_before(step)
         states = [(before, case.found), (pose, case.found), (pose, case.handled), (pose, case.deformed)]
-        places = [to_tool(at, positions[step]) for at, positions in states]
         inside = [inside_tool(case, positions[step], at).verdicts for at, positions in states]
-        near = np.union1d(near_tool(case, *places), np.flatnonzero(passed >= 0))
-        walls = [Walls(case.tool, start[near], end[near]) for start, end in zip(places, places[1:])]
+        on_screw, slack = motion.screw(before, pose, case.tool_positions)
+        poses = [*on_screw, pose, pose]
+        moments = [*[case.found] * len(on_screw), case.handled, case.deformed]
+        places = np.stack([to_tool(at, positions[step]) for at, positions in zip(poses, moments)])
+        near = np.union1d(near_tool(case, places, slack), np.flatnonzero(passed >= 0))
+        walls = [
+            Walls(case.tool, places[:-2, near], slack),
+            Walls(case.tool, places[-3:-1, near]),
+            Walls(case.tool, places[-2:, near]),
+        ]
         passes = [one.verdicts.max(axis=1, initial=-1) for one in walls]
 
         on_the_way = np.maximum(passed[near], passes[0])

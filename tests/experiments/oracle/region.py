@@ -5,7 +5,7 @@ For the oracle alone; it shares nothing with the program's judge.
 
 import numpy as np
 
-from . import geometry
+from . import geometry, motion
 from .answer import ROUNDING
 from .case import to_tool
 from .surfaces import facets_crossing
@@ -19,11 +19,8 @@ def looks(case):
     poses = [case.start]
     for step in range(case.steps):
         before, pose = case.pose_before(step), case.poses[step]
-        way = pose[:3, 3] - before[:3, 3]
-        for part in np.linspace(0, 1, int(np.ceil(np.linalg.norm(way) / (LOOK * case.radius))) + 1)[1:]:
-            between = before.copy()
-            between[:3, 3] += part * way
-            poses.append(between)
+        if not np.array_equal(before, pose):
+            poses += motion.looks(before, pose, case.tool_positions, LOOK * case.radius)
     return poses
 
 
