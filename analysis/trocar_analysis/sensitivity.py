@@ -38,7 +38,7 @@ class Wishes:
     over: str  # the swept column
     metrics: list[str] | None = None  # columns, metrics, or quotients "a/b" of two columns
     only: list[str] = field(default_factory=list)  # filters "key=value" (see only_rows)
-    better: dict[str, str] = field(default_factory=dict)  # metric → "low", "high"; a failed case of others is left out
+    better: dict[str, str] = field(default_factory=dict)  # metric → "low", "high"
 
 
 @dataclass(frozen=True)
@@ -156,8 +156,9 @@ def lacking_words(name: str, complete: pd.DataFrame, values: pd.Series) -> str:
 
 def points_of(cases: pd.DataFrame, keys: list[str], figures: list[Figure]) -> pd.DataFrame:
     """One row per figure and group of cases: the keys; `metric`, `units` and `better` of the figure; `cases` of the
-    group, how many of them `failed`, and how many that did not have `no_value`; over the others, failed ones as the worst
-    value there is, `median`, and `low` and `high` of its interval (see condition_interval); NaN where there is none."""
+    group, how many of them `failed`, and how many complete ones have `no_value`; of the others, failed ones as the
+    worst value there is, `median`, and `low` and `high` of its interval (see condition_interval); NaN where there is
+    none."""
     rows = []
     groups = groups_in_order(cases, keys)
     for figure in figures:

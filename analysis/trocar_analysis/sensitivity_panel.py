@@ -167,7 +167,7 @@ def set_x(axes: Axes, at: dict[object, float], names_categories: bool) -> None:
 
 
 def tick_texts(at: dict[object, float], names_categories: bool, width: float) -> list[str]:
-    """What the ticks of a panel say that is `width` inches wide: categories in several lines where they have to; of numbers
+    """What the ticks of a panel say that is `width` inches wide: categories in several lines where need be; of numbers
     those that have room."""
     if names_categories:
         letters = max(4, int(width / len(at) / TICK_LETTER))

@@ -4,6 +4,7 @@ per strategy (and speed) with its name at its end."""
 from __future__ import annotations
 
 import textwrap
+from dataclasses import dataclass
 from io import BytesIO
 
 import numpy as np
@@ -17,19 +18,20 @@ from . import palette
 from .errors import InputError
 from .sensitivity import Figure, Sweep
 from .sensitivity_panel import (
-    Line, Scale, draw_line, is_category, lines_of, places, scale_of, select, set_x, set_y, shift, tick_texts,
+    Line, draw_line, is_category, lines_of, places, scale_of, select, set_x, set_y, shift, tick_texts,
 )  # fmt: skip
 from .sensitivity_table import notes, shown_unit
 from .snapshot import save
 
 # Inches.
-LEFT, MARGIN = 0.72, 0.14  # of the first panel; around the picture
-PANEL_WIDTH, PANEL_HEIGHT = 2.75, 1.3  # the height where the names at the lines' ends need no more
+LEFT, UNIT_LEFT, MARGIN = 0.72, 0.46, 0.14  # of the first panel; from it to its unit; around the picture
+WIDTH, PANEL_HEIGHT = 5.7, 1.3  # of the panels of a row; of one, where the names at the lines' ends need no more
 BETWEEN, ROW_GAP = 0.2, 0.5  # from panel to panel
-TITLE, RELEASE, TOP = 0.24, 0.58, 1.0  # from the upper edge down to the title, to the releases, to the first panels
+TITLE, RELEASE = 0.24, 0.58  # from the upper edge down to the title and to the releases
+TOP, TOP_ALONE = 1.0, 0.68  # to the first row, below releases or without
 ROW_TITLE = 0.13  # above a panel
 NAME_GAP, NAME_STEP, NAME_LETTER = 0.3, 0.15, 0.068  # from a panel to names; from one to the next; width of a letter
-AXIS, AXIS_NAME, TICK_LINE = 0.62, 0.26, 0.13  # below the last panels; from its name down; for each further line of ticks
+AXIS, AXIS_NAME, TICK_LINE = 0.62, 0.26, 0.13  # below the last row; from its name down; a further line of ticks
 NOTE_LINE = 0.17
 NOTE_LETTER = 0.06
 DPI, COLORS = 160, 256  # of a PNG
@@ -63,33 +65,60 @@ def save_small(picture: Picture, file: str) -> None:
         raise InputError(f"{file}: cannot be written ({error.strerror or error})") from error
 
 
+@dataclass(frozen=True)
+class Layout:
+    """Where panels are, inches."""
+
+    columns: int
+    rows: int
+    width: float  # of a panel
+    height: float
+    top: float  # of the first row
+
+    @property
+    def right(self) -> float:
+        return self.left(self.columns) - BETWEEN
+
+    @property
+    def end(self) -> float:
+        """The lower edge of the last row."""
+        return self.above(self.rows) - ROW_GAP
+
+    def left(self, column: int) -> float:
+        return LEFT + column * (self.width + BETWEEN)
+
+    def above(self, row: int) -> float:
+        return self.top + row * (self.height + ROW_GAP)
+
+
 def compose(sweep: Sweep) -> Picture:
     lines = lines_of(sweep)
     # The first release of a sweep file, which tells strategies apart best, on the right beside their names.
     panels = sweep.points[sweep.panels].drop_duplicates().to_dict("records")[::-1] if sweep.panels else [{}]
-    at, ticks = places(sweep), tick_texts(places(sweep), is_category(sweep), PANEL_WIDTH)
-    height = max(PANEL_HEIGHT, NAME_STEP * len(lines))
-    right = LEFT + len(panels) * (PANEL_WIDTH + BETWEEN) - BETWEEN
-    width = right + NAME_GAP + NAME_LETTER * max(len(line.name) for line in lines) + MARGIN
+    layout = Layout(
+        len(panels), len(sweep.figures), (WIDTH - (len(panels) - 1) * BETWEEN) / len(panels),
+        max(PANEL_HEIGHT, NAME_STEP * len(lines)), TOP if sweep.panels else TOP_ALONE,
+    )  # fmt: skip
+    at = places(sweep)
+    ticks = tick_texts(at, is_category(sweep), layout.width)
+    width = layout.right + NAME_GAP + NAME_LETTER * max(len(line.name) for line in lines) + MARGIN
     said = [part for note in notes(sweep) for part in textwrap.wrap(note, int((width - 2 * MARGIN) / NOTE_LETTER))]
-    below = AXIS + TICK_LINE * max(text.count("\n") for text in ticks)
-    end = TOP + len(sweep.figures) * (height + ROW_GAP) - ROW_GAP
-    canvas = start(width, end + below + NOTE_LINE * len(said) + MARGIN)
+    below = layout.end + AXIS + TICK_LINE * max(text.count("\n") for text in ticks)
+    canvas = start(width, below + NOTE_LINE * len(said) + MARGIN)
     canvas.text(MARGIN, TITLE, f"Sensitivity to: {sweep.over_words}", va="center", fontsize=11, fontweight="bold")
     for row, figure in enumerate(sweep.figures):
-        top = TOP + row * (height + ROW_GAP)
-        of_row = [add_panel(canvas, LEFT + k * (PANEL_WIDTH + BETWEEN), top, height) for k in range(len(panels))]
-        draw_row(canvas, of_row, sweep, figure, panels, lines, at)
-        title_row(canvas, figure, top, right)
+        of_row = [add_panel(canvas, layout, row, column) for column in range(len(panels))]
+        draw_row(of_row, sweep, figure, panels, lines, at)
+        title_row(canvas, figure, layout.above(row))
         for axes in of_row:
             set_x(axes, at, is_category(sweep))
-            axes.set_xticklabels(ticks if row == len(sweep.figures) - 1 else [])
-        name_lines(canvas, of_row[-1], lines, top, height, right)
-    for k, panel in enumerate(panels):
-        title_column(canvas, LEFT + k * (PANEL_WIDTH + BETWEEN), panel.get("release"))
-    canvas.text((LEFT + right) / 2, end + below - AXIS_NAME, axis_words(sweep), ha="center", va="center")
+            axes.set_xticklabels(ticks if row == layout.rows - 1 else [])
+        name_lines(canvas, of_row[-1], lines, layout, row)
+    for column, panel in enumerate(panels):
+        title_column(canvas, layout.left(column), panel.get("release"))
+    canvas.text((LEFT + layout.right) / 2, below - AXIS_NAME, axis_words(sweep), ha="center", va="center")
     for k, note in enumerate(said):
-        canvas.text(MARGIN, end + below + NOTE_LINE * (k + 0.5), note, va="center", fontsize=8, color=palette.FAINT_INK)
+        canvas.text(MARGIN, below + NOTE_LINE * (k + 0.5), note, va="center", fontsize=8, color=palette.FAINT_INK)
     return canvas.figure
 
 
@@ -104,12 +133,12 @@ def start(width: float, height: float) -> Axes:
     return canvas
 
 
-def add_panel(canvas: Axes, left: float, top: float, height: float) -> Axes:
+def add_panel(canvas: Axes, layout: Layout, row: int, column: int) -> Axes:
     picture = canvas.figure
-    width, whole = picture.get_size_inches()
-    axes = picture.add_axes(
-        (left / width, 1 - (top + height) / whole, PANEL_WIDTH / width, height / whole), facecolor=palette.BACKGROUND
-    )
+    width, height = picture.get_size_inches()
+    place = (layout.left(column) / width, 1 - (layout.above(row) + layout.height) / height, layout.width / width,
+             layout.height / height)  # fmt: skip
+    axes = picture.add_axes(place, facecolor=palette.BACKGROUND)
     axes.spines[:].set_visible(False)
     axes.set_axisbelow(True)
     axes.grid(color="white", linewidth=1)
@@ -118,8 +147,7 @@ def add_panel(canvas: Axes, left: float, top: float, height: float) -> Axes:
 
 
 def draw_row(
-    canvas: Axes, of_row: list[Axes], sweep: Sweep, figure: Figure, panels: list[dict], lines: list[Line],
-    at: dict[object, float],
+    of_row: list[Axes], sweep: Sweep, figure: Figure, panels: list[dict], lines: list[Line], at: dict[object, float]
 ) -> None:  # fmt: skip
     """A figure's panels, on one scale."""
     points = sweep.points[sweep.points["metric"] == figure.name]
@@ -133,10 +161,11 @@ def draw_row(
         if axes is not of_row[0]:
             axes.set_yticklabels([])
     of_row[0].set_ylabel((unit or figure.counted) + (", log scale" if scale.is_log else ""))
-    of_row[0].yaxis.set_label_coords(-0.46 / PANEL_WIDTH, 0.5)
+    inches = of_row[0].get_position().width * of_row[0].figure.get_figwidth()
+    of_row[0].yaxis.set_label_coords(-UNIT_LEFT / inches, 0.5)
 
 
-def title_row(canvas: Axes, figure: Figure, top: float, right: float) -> None:
+def title_row(canvas: Axes, figure: Figure, top: float) -> None:
     title = canvas.text(LEFT, top - ROW_TITLE, figure.title, va="center", fontweight="bold")
     taken = TAKEN.get(figure.name.partition("/")[0].rpartition("_")[2], "")
     said = ", ".join(filter(None, [taken, BETTER.get(figure.better, "")]))
@@ -151,8 +180,9 @@ def title_column(canvas: Axes, left: float, release: str | None) -> None:
                     color=palette.FAINT_INK)  # fmt: skip
 
 
-def name_lines(canvas: Axes, axes: Axes, lines: list[Line], top: float, height: float, right: float) -> None:
+def name_lines(canvas: Axes, axes: Axes, lines: list[Line], layout: Layout, row: int) -> None:
     """Each line's name beside its last point, and a thin line to it."""
+    top, bottom, right = layout.above(row), layout.above(row) + layout.height, layout.right
     ends = []
     marks = {mark.get_label(): mark for mark in axes.lines}
     for line in lines:
@@ -160,9 +190,9 @@ def name_lines(canvas: Axes, axes: Axes, lines: list[Line], top: float, height: 
         if len(x):
             ends.append((line, canvas.transData.inverted().transform(shift(axes, line).transform((x[-1], y[-1])))))
     if not ends:
-        canvas.text(right + NAME_GAP, top + height / 2, "no value", va="center", fontsize=8, color=palette.FAINT_INK)
+        canvas.text(right + NAME_GAP, (top + bottom) / 2, "no value", va="center", fontsize=8, color=palette.FAINT_INK)
         return
-    heights = keep_apart(np.array([place[1] for _, place in ends]), NAME_STEP, top, top + height)
+    heights = keep_apart(np.array([place[1] for _, place in ends]), NAME_STEP, top, bottom)
     for (line, (x, y)), at in zip(ends, heights):
         canvas.plot([x, right + NAME_GAP * 0.3, right + NAME_GAP - 0.05], [y, y, at], color=line.color, linewidth=0.6,
                     solid_joinstyle="round")  # fmt: skip

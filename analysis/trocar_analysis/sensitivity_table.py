@@ -31,11 +31,12 @@ def notes(sweep: Sweep) -> list[str]:
 
 
 def along_words(sweep: Sweep, name: str) -> str:
-    values = sweep.cases[name]
-    if not is_numeric_dtype(values):
-        return f"Each {sweep.over} has a {name} of its own"
-    ends = f"from {number(values.min())} to {number(values.max())} {sweep.units.get(name, '')}".rstrip()
-    return f"Along with {sweep.over} goes {name}, {ends}"
+    values = sweep.cases.sort_values(sweep.over, kind="stable")[name]
+    if is_numeric_dtype(values):
+        said = f"from {number(values.min())} to {number(values.max())} {sweep.units.get(name, '')}".rstrip()
+    else:
+        said = ", ".join(values.unique())
+    return f"Along with {sweep.over} goes {name}: {said}"
 
 
 def interval_words(points: pd.DataFrame) -> str:
