@@ -185,6 +185,8 @@ def run_sensitivity(arguments: argparse.Namespace) -> None:
     sweep = read_sweep(a.file, Wishes(a.over, a.metric, a.only, directions_of(a.better)))
     draw_sweep(sweep, a.output)
     pictures = "".join(f"{file}\n" for file in a.output)
+    for caution in sweep.cautions if a.csv else ():
+        print(caution, file=sys.stderr)
     sys.stdout.write(csv_text(sweep) if a.csv else markdown_text(sweep) if a.markdown else pictures)
     sys.stdout.flush()
 
