@@ -41,8 +41,24 @@ define check_readings_table
 
 endef
 
+# What the results are sensitive to: each sweep of experiments/sensitivity, and the condition that it varies.
+sensitivity_sweeps = resolution speed rate tool stiffness
+over_resolution = organ_facets
+over_speed = speed
+over_rate = rate
+over_tool = tool
+over_stiffness = rest_stiffness
+# A case that fails (exit code 3) is in the result and on the picture.
+define run_sensitivity
+	build/trocar run experiments/sensitivity/$(1).toml -o build/sensitivity/$(1).h5 \
+	    --metrics tool_volume_inside,tool_volume_at_rest,facets_crossing,displacement_mean || test $$? -eq 3
+	build/trocar sensitivity build/sensitivity/$(1).h5 --over $(over_$(1)) --markdown \
+	    $(addprefix -o results/reference/sensitivity/$(1),.svg .png) > results/reference/sensitivity/$(1).md
+
+endef
+
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper pictures figures readings everything test sanitize \
+.PHONY: help packages lint_packages docs_packages configure build paper pictures figures readings sensitivity everything test sanitize \
     mutate lint docs bench clean
 
 help:  ## list the targets
@@ -77,6 +93,10 @@ readings: build  ## run every reading of the paper's method, and make the tables
 	mkdir -p build/readings
 	build/trocar run experiments/readings.toml -o build/readings/readings.h5
 	$(foreach table,$(readings_tables),$(call make_readings_table,$(table)))
+
+sensitivity: build  ## run the sweeps of what the results are sensitive to, and draw them anew in results/reference/sensitivity/
+	mkdir -p build/sensitivity results/reference/sensitivity
+	$(foreach sweep,$(sensitivity_sweeps),$(call run_sensitivity,$(sweep)))
 
 everything: build  ## run every organ, tool, scene, strategy and release: nothing may fail or fly apart
 	mkdir -p build/everything

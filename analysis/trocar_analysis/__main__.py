@@ -1,4 +1,4 @@
-"""The command line: `/usr/bin/python3 -m trocar_analysis show|compare|snapshot|scene|metrics|rules …`. Exit code 0 when
+"""The command line: `/usr/bin/python3 -m trocar_analysis show|compare|sensitivity|snapshot|scene|metrics|rules …`. Exit code 0 when
 done, 1 when `compare` found what it should fail on, 2 for bad usage or input, with one line on stderr that says what
 is wrong, 3 for a bug in here, with the traceback on stderr."""
 
@@ -14,6 +14,7 @@ from .errors import InputError
 
 # Where the modules that Debian packages separately come from.
 DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "scipy", "matplotlib")}
+DEBIAN_PACKAGES["PIL"] = "python3-pil"
 
 
 class Parser(argparse.ArgumentParser):
@@ -23,7 +24,7 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="show|compare|claims|snapshot|scene|metrics|rules")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="show|compare|sensitivity|claims|snapshot|scene|metrics|rules")
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
@@ -79,6 +80,27 @@ def make_parser() -> argparse.ArgumentParser:
     style.add_argument("--csv", action="store_true", help="a tidy table in full precision")
     style.add_argument("--markdown", action="store_true", help="a Markdown table")
     comparison.set_defaults(function=run_compare)
+
+    sensitivity = commands.add_parser("sensitivity", help="figures over the values of one condition, as a picture")
+    sensitivity.add_argument("file", help="result file")
+    sensitivity.add_argument("--over", required=True, metavar="COLUMN", help="the condition along x, such as speed")
+    sensitivity.add_argument(
+        "-o", "--output", action="append", required=True, metavar="FILE",
+        help="picture: .png or .svg; may be given several times",
+    )  # fmt: skip
+    sensitivity.add_argument(
+        "--only", action="append", default=[], metavar="KEY=VALUE",
+        help="these cases only; values of one key are alternatives; may be given several times",
+    )  # fmt: skip
+    sensitivity.add_argument(
+        "--metric", action="append", metavar="NAME",
+        help="a column, a metric (all its columns) or a quotient of two columns, A/B; may be given several times",
+    )  # fmt: skip
+    sensitivity.add_argument("--better", default="", metavar="METRIC=low|high,…", help="which way is better")
+    style = sensitivity.add_mutually_exclusive_group()
+    style.add_argument("--csv", action="store_true", help="print what is drawn, in full precision")
+    style.add_argument("--markdown", action="store_true", help="print what is drawn as a Markdown table")
+    sensitivity.set_defaults(function=run_sensitivity)
 
     claims = commands.add_parser("claims", help="the paper's claims, judged on a result file")
     claims.add_argument("claims", help="the claims and their conditions, TOML")
@@ -152,6 +174,21 @@ def run_compare(arguments: argparse.Namespace) -> int:
     for line in judgement.not_evaluated:
         print(f"trocar: cannot evaluate {line}", file=sys.stderr)
     return 2 if judgement.not_evaluated else 1 if judgement.violated else 0
+
+
+def run_sensitivity(arguments: argparse.Namespace) -> None:
+    from .sensitivity import Wishes, read_sweep
+    from .sensitivity_plot import draw_sweep
+    from .sensitivity_table import csv_text, markdown_text
+
+    a = arguments
+    sweep = read_sweep(a.file, Wishes(a.over, a.metric, a.only, directions_of(a.better)))
+    draw_sweep(sweep, a.output)
+    pictures = "".join(f"{file}\n" for file in a.output)
+    for caution in sweep.cautions if a.csv else ():
+        print(caution, file=sys.stderr)
+    sys.stdout.write(csv_text(sweep) if a.csv else markdown_text(sweep) if a.markdown else pictures)
+    sys.stdout.flush()
 
 
 def run_claims(arguments: argparse.Namespace) -> None:

@@ -17,9 +17,12 @@ BACKGROUND = "#f4f6f8"  # of a panel
 # Lines of a diagram that differ in kind; told apart by the colour-blind too (Okabe and Ito), and by their dashes.
 SERIES = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8a6d00", "#56b4e9")
 DASHES = ("solid", (0, (5, 1.5)), (0, (1.5, 1.2)), (0, (5, 1.2, 1.2, 1.2)))
+MARKERS = ("o", "s", "^", "D", "v", "P")  # of measured points: they tell lines apart in grey, too
 
 OUTLINE_WIDTH = 1.1  # points
 ARROW_WIDTH = 0.9  # points
+SERIES_WIDTH = 1.5  # points: a line of a diagram
+INTERVAL_WIDTH = 1.1  # points: the bar of an interval
 
 # Matplotlib's settings for every figure.
 STYLE = {
@@ -40,3 +43,8 @@ def series(number: int) -> str:
 def dashes(number: int) -> str | tuple:
     """Its dashes."""
     return DASHES[number % len(DASHES)]
+
+
+def marker(number: int) -> str:
+    """The mark of its points."""
+    return MARKERS[number % len(MARKERS)]

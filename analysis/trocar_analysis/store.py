@@ -136,6 +136,12 @@ class ResultFile:
             }
         return {name: "" if unit == "1" else unit for name, unit in units.items()}
 
+    def long_names(self) -> dict[str, str]:
+        """What each column of /cases is, in words; without those of which the file does not say it."""
+        with self._reading():
+            said = {name: dataset.attrs.get("long_name", "") for name, dataset in self._file["cases"].items()}
+        return {name: text(words) for name, words in said.items() if len(words)}
+
     def missing_steps(self, case_id: str, series: str) -> dict[str, list[tuple[int, int]]]:
         """Why a series of a case has steps without a value: for each reason the ranges of steps, both ends
         included. Empty when every step has one."""

@@ -54,6 +54,7 @@ int run_program(int argc, char** argv) {
     trocar::add_list(app, program);
     trocar::add_show(app, program);
     trocar::add_compare(app, program);
+    trocar::add_sensitivity(app, program);
     trocar::add_snapshot(app, program);
     trocar::add_check(app, program);
     trocar::add_fuzzy(app, program);

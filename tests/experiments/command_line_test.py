@@ -82,7 +82,7 @@ class CommandLine(ProgramTest):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["snapshot"], ["check"],
+        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["snapshot"], ["check"],
                         ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
             text = self.expect_done(*command, "--help").stdout
