@@ -13,6 +13,7 @@ from .errors import InputError
 
 # Where the modules that Debian packages separately come from.
 DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "scipy", "matplotlib")}
+DEBIAN_PACKAGES["PIL"] = "python3-pil"
 
 
 class Parser(argparse.ArgumentParser):

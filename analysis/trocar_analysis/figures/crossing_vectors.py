@@ -12,7 +12,8 @@ INNER = 1e-9  # parts of a segment; what is nearer to its end is no inner point
 def crossing_edges(found: np.ndarray, handled: np.ndarray, facets: np.ndarray, moved: np.ndarray) -> np.ndarray:
     """The edges [edges, 2] between moved vertices whose ends change places or pass each other closely. Positions are
     [vertices, 3], mm."""
-    edges = np.unique(np.sort(np.concatenate([facets[:, [0, 1]], facets[:, [1, 2]], facets[:, [2, 0]]]), axis=1), axis=0)
+    sides = np.concatenate([facets[:, [0, 1]], facets[:, [1, 2]], facets[:, [2, 0]]])
+    edges = np.unique(np.sort(sides, axis=1), axis=0)
     edges = edges[np.isin(edges, moved).all(axis=1)]
     a, b = edges.T
     before, after = found[b] - found[a], handled[b] - handled[a]

@@ -2,56 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
-from textwrap import wrap
 
-import numpy as np
-import pandas as pd
-from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from matplotlib.style import context
 
 from .. import palette
-from ..camera import Camera
 from ..errors import InputError
 from ..options import option_columns
-from ..rendering import FINER
-from ..snapshot import MARGIN, MOMENT_WORDS, add_scale, save, with_replay
-from ..store import ResultFile, Step
-from ..subject import CASES
-from ..summary import only_rows
-from ..view import View, choose_view
-from .eye import place_camera
-from .figure_file import FigureFile, Panel, read_figure
-from .panel import draw_panel
+from ..snapshot import save, with_replay
+from ..store import ResultFile
+from .figure_file import read_figure
+from .page import compose
+from .shown import Shown, check_same_state, conditions, differing, facts, find_step
 from .small_file import shrink
-from .steps import choose_step
-
-WIDTH = 7.4  # of the figure, inches
-DPI = 150
-TITLE_HEIGHT, LEGEND_HEIGHT = 0.3, 0.28
-PANEL_TITLE_HEIGHT, FACT_LINE = 0.34, 0.15  # above and below each panel
-CAPTION_LINE = 0.165
-CAPTION_WIDTH = 122  # letters
-GAP = 0.08  # below a row
-# What panels that share a camera have in common, besides the rule that chose their steps.
-PLACE = ("scene", "organ", "tool", "seed")
-
-
-@dataclass(frozen=True)
-class Shown:
-    """A panel, and the step that it shows."""
-
-    panel: Panel
-    case: pd.Series
-    number: int
-    step: Step
-    way: np.ndarray  # the tip's in this step, mm; in the first step, of which no way is stored, that of the next
-    view: View  # `snapshot`'s of this step
 
 
 def draw_figure(path: str, description: str, output: str) -> str:
@@ -78,135 +41,5 @@ def draw_figure(path: str, description: str, output: str) -> str:
     return "\n".join([f"{output}:", *(f"{letter}) {in_words(one, differ)}" for letter, one in shown.items())])
 
 
-def find_step(results: ResultFile, cases: pd.DataFrame, panel: Panel) -> Shown:
-    filters = [f"{key}={value}" for key, value in panel.where.items()]
-    found = only_rows(cases, filters, [name for name in CASES.keys if name in cases])
-    if len(found) > 1:
-        differ = [name for name in CASES.keys if name in found and found[name].nunique() > 1 and name != "case_id"]
-        raise InputError(f"{len(found)} cases match its `where`; they differ in {', '.join(differ)}")
-    case = found.iloc[0]
-    number = choose_step(results, case["case_id"], panel.step)
-    step = results.step(case["case_id"], number)
-    for name in panel.facts:
-        results.series(case["case_id"], name)
-    poses = results.tool_poses(case["case_id"])
-    way = np.diff(poses[:, :3, 3], axis=0)[max(number - 1, 0)] if len(poses) > 1 else step.tool_way
-    return Shown(panel, case, number, step, way, choose_view(step.rest_positions, step.tool_positions, poses, number))
-
-
-def check_same_state(description: str, one: Shown, other: Shown) -> None:
-    """That both strategies were asked about the same: the organ as it was found, to the last bit, and the tool."""
-    for what, mine, its in (
-        ("organ", one.step.positions["found"], other.step.positions["found"]),
-        ("tool", one.step.tool_positions, other.step.tool_positions),
-    ):
-        if not np.array_equal(mine, its):
-            raise InputError(
-                f"{description}: panel {one.panel.letter} (step {one.number}) does not show the state of panel "
-                f"{other.panel.letter} (step {other.number}): the {what} is somewhere else"
-            )
-
-
-def differing(shown: list[Shown]) -> list[str]:
-    """The conditions that have to be said of each panel."""
-    return [name for name in ("organ", "speed") if len({one.case[name] for one in shown}) > 1]
-
-
 def in_words(one: Shown, differ: list[str]) -> str:
     return " · ".join([str(one.case["label"]), *conditions(one.case, differ), f"step {one.number}", *facts(one)])
-
-
-def conditions(case: pd.Series, names: list[str]) -> list[str]:
-    """Such as "prism-12", "20 mm/s" and "seed 1"."""
-    words = {"speed": "{:g} mm/s", "release": "release {}", "seed": "seed {}"}
-    return [words.get(name, "{}").format(case[name]) for name in names if name in case]
-
-
-def facts(one: Shown) -> list[str]:
-    """The panel's words, with each series' value in this step in them. What does not exist is a dash."""
-    values = {name: one.step.values[name] for name in one.panel.facts}
-    return [words.replace("{}", f"{values[name]:.3g}" if np.isfinite(values[name]) else "–")
-            for name, words in one.panel.facts.items()]  # fmt: skip
-
-
-def compose(wanted: FigureFile, shown: list[Shown]) -> Figure:
-    columns = wanted.columns
-    panel_width = (WIDTH - MARGIN) / columns - MARGIN
-    panel_height = panel_width * wanted.view.height / wanted.view.width
-    in_rows = [shown[first : first + columns] for first in range(0, len(shown), columns)]
-    facts_heights = [FACT_LINE * max(len(one.panel.facts) for one in row) for row in in_rows]
-    lines = wrap(wanted.caption, CAPTION_WIDTH)
-    below = LEGEND_HEIGHT + CAPTION_LINE * len(lines) + 2 * MARGIN
-    height = TITLE_HEIGHT + len(in_rows) * (PANEL_TITLE_HEIGHT + panel_height + GAP) + sum(facts_heights) + below
-    figure = Figure(figsize=(WIDTH, height), dpi=DPI)
-    FigureCanvasAgg(figure)
-    cameras: dict[tuple, Camera] = {}
-    for index, one in enumerate(shown):
-        row, column = divmod(index, columns)
-        left = MARGIN + column * (panel_width + MARGIN)
-        above = row * (panel_height + GAP) + (row + 1) * PANEL_TITLE_HEIGHT + sum(facts_heights[:row])
-        top = height - TITLE_HEIGHT - above
-        axes = figure.add_axes((left / WIDTH, (top - panel_height) / height, panel_width / WIDTH, panel_height / height))
-        place = (one.panel.step, *(one.case[name] for name in PLACE if name in one.case))
-        if place not in cameras:
-            pixels = round(panel_width * DPI) * FINER
-            cameras[place] = place_camera(one.view, one.step.tool_tip, wanted.view, pixels)
-            add_scale(axes, cameras[place])
-        draw_panel(axes, cameras[place], one.step, one.way, one.panel)
-        add_words(axes, one, differing(shown))
-    add_frame(figure, wanted, shown, height, lines)
-    return figure
-
-
-def add_words(axes: Axes, one: Shown, differ: list[str]) -> None:
-    place = {"xycoords": "axes fraction", "textcoords": "offset points"}
-    title, said = f"{one.panel.letter}) {one.panel.title}", " · ".join([*conditions(one.case, differ), f"step {one.number}"])
-    axes.annotate(title, (0, 1), (0, 14), fontsize=8.8, fontweight="bold", **place)
-    axes.annotate(said, (0, 1), (0, 4), fontsize=7.2, color=palette.FAINT_INK, **place)
-    axes.annotate("\n".join(facts(one)), (0, 0), (0, -3), fontsize=7.2, va="top", linespacing=1.3, **place)
-
-
-def add_frame(figure: Figure, wanted: FigureFile, shown: list[Shown], height: float, lines: list[str]) -> None:
-    """What stands above and below the panels: what the figure is of, what its colours mean, its caption."""
-    left = MARGIN / WIDTH
-    figure.text(left, 1 - 0.14 / height, wanted.title, va="center", fontsize=11, fontweight="bold")
-    figure.text(1 - left, 1 - 0.14 / height, shared_words(shown), va="center", ha="right", fontsize=7.2,
-                color=palette.FAINT_INK)  # fmt: skip
-    figure.text(left, (CAPTION_LINE * len(lines) + MARGIN) / height, "\n".join(lines), va="top", fontsize=8.2,
-                linespacing=1.35)  # fmt: skip
-    add_legend(figure, shown, (CAPTION_LINE * len(lines) + 2 * MARGIN) / height)
-
-
-def shared_words(shown: list[Shown]) -> str:
-    """The conditions in which no two panels differ."""
-    names = ("scene", "organ", "tool", "speed", "release", "seed")
-    shared = [name for name in names if len({one.case.get(name) for one in shown}) == 1]
-    moments = {one.panel.moment for one in shown}
-    said = [MOMENT_WORDS[moment] for moment in moments if len(moments) == 1]
-    return " · ".join(conditions(shown[0].case, shared) + said)
-
-
-def add_legend(figure: Figure, shown: list[Shown], bottom: float) -> None:
-    """Of what there is in the panels."""
-    marked = {one.panel.surface for one in shown if one.panel.moment != "found"}
-    vectors = {one.panel.vectors for one in shown}
-    arrow = {"linestyle": "none", "marker": r"$\rightarrow$", "markersize": 12}
-    entries = {
-        "organ": Patch(facecolor=palette.ORGAN, edgecolor=palette.ORGAN_OUTLINE),
-        "tool": Patch(facecolor=palette.TOOL, alpha=0.6),
-        "its motion": Line2D([], [], color=palette.TOOL_OUTLINE, **arrow),
-    }
-    if "solid" in marked:
-        entries["facets in or across the tool"] = Patch(facecolor=palette.FACET_IN_TOOL_DARK)
-    if "wire" in marked:
-        entries["edges of facets in or across it" if "solid" not in marked else "their edges"] = Line2D(
-            [], [], color=palette.FACET_IN_TOOL_DARK
-        )
-    if vectors != {"none"}:
-        entries["displacement of a vertex"] = Line2D([], [], color=palette.DISPLACEMENT, **arrow)
-    if "crossing" in vectors:
-        entries["that crosses a neighbour's"] = Line2D([], [], color=palette.CROSSING, **arrow)
-    figure.legend(
-        list(entries.values()), list(entries), loc="lower left", bbox_to_anchor=(0, bottom), ncol=len(entries),
-        columnspacing=1.4, handletextpad=0.5, frameon=False, fontsize=7.6, borderaxespad=0.1,
-    )  # fmt: skip

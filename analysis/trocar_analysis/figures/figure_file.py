@@ -55,6 +55,7 @@ VIEW_KEYS = set(ViewRule.__dataclass_fields__)
 OPTIONAL = {"step": "arrived", "moment": "deformed", "surface": "solid", "vectors": "none", "state_of": "", "facts": {}}
 TYPES = {"letter": str, "title": str, "where": dict, "step": (str, int), "facts": dict, "state_of": str, "caption": str,
          "columns": int, "view": dict, "panel": list, "every_panel": dict}  # fmt: skip
+KIND_WORDS = {str: "a text", dict: "a table", int: "a whole number", list: "[[panel]]", (str, int): "a rule, or a number"}
 CHOICES = {"moment": MOMENTS, "surface": SURFACES, "vectors": VECTORS}
 
 
@@ -114,4 +115,3 @@ def check(what: str, table: dict, known: set[str], needed: set[str]) -> None:
         raise InputError(f"{what}: lacks {key}")
 
 
-KIND_WORDS = {str: "a text", dict: "a table", int: "a whole number", list: "[[panel]]", (str, int): "a rule or a number"}

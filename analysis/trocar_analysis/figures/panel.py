@@ -45,7 +45,7 @@ def draw_motion(axes: Axes, camera: Camera, step: Step, way: np.ndarray) -> None
     tip = camera.see(step.tool_tip[None])[0, :2]
     across, up = camera.basis[:, :2].T @ way
     length = np.hypot(across, up)
-    if length < 1e-3 * np.linalg.norm(way):
+    if length <= 1e-3 * np.linalg.norm(way):
         return
     half = 0.1 * camera.half_height * np.array([across, up]) / length
     middle = np.array([tip[0], 0.8 * camera.half_height])

@@ -27,9 +27,10 @@ def shrink(path: str) -> None:
 
 def few_colours(png: bytes, colours: int) -> bytes:
     """The same picture with a palette of its own."""
-    picture = Image.open(io.BytesIO(png)).convert("RGB").quantize(colours, Image.Quantize.MAXCOVERAGE, kmeans=1, dither=Image.Dither.NONE)
+    picture = Image.open(io.BytesIO(png)).convert("RGB")
     target = io.BytesIO()
-    picture.save(target, "PNG", optimize=True)
+    reduced = picture.quantize(colours, Image.Quantize.MAXCOVERAGE, kmeans=1, dither=Image.Dither.NONE)
+    reduced.save(target, "PNG", optimize=True)
     return target.getvalue()
 
 
