@@ -195,6 +195,7 @@ class Parts(unittest.TestCase):
         for gap, expected in ((0, True), (0.11, True), (0.115, False)):
             self.assertEqual(self.crosses((0, 0, 0), (1.7, 0, 0), (1, -0.5, gap), (2, 0.5, gap)), expected, gap)
         self.assertFalse(self.crosses((0, 0, 0), (1.4, 0, 0), (1, -0.5, 0), (2, 0.5, 0)))  # the one ends before
+        self.assertFalse(self.crosses((0, 0, 0), (1.7, 0, 0), (1, 0.2, 0), (2, 1.2, 0)))  # the other starts behind it
 
     def test_vectors_side_by_side_do_not_cross(self):
         for degrees, expected in ((4, False), (6, True)):
