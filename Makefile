@@ -57,12 +57,20 @@ define run_sensitivity
 
 endef
 
+# Figures 3 to 6 of the paper: from a sweep and the description of its panels to a picture.
+define draw_paper_figure
+	build/trocar run experiments/figures/$(1).toml --replay -o build/figures/$(1).h5
+	build/trocar figure build/figures/$(1).h5 --panels analysis/figures/$(1).toml -o results/reference/figures/$(1).png
+	build/trocar figure build/figures/$(1).h5 --panels analysis/figures/$(1).toml -o results/reference/figures/$(1).svg
+
+endef
+
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper pictures figures readings sensitivity everything test sanitize \
+.PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures readings sensitivity everything test sanitize \
     mutate lint docs bench clean
 
 help:  ## list the targets
-	@sed -n 's/^\([a-z]*\):.*  ## /\1\t/p' Makefile | expand -t 12
+	@sed -n 's/^\([a-z_]*\):.*  ## /\1\t/p' Makefile | expand -t 16
 	@echo "PRESET=debug (or asan, tsan) chooses another build than release; JOBS=1 uses one core."
 
 build: configure  ## build the program, build/trocar
@@ -88,6 +96,10 @@ figures: paper pictures  ## make the table and the picture of README.md anew, an
 	$(PYTHON) cmake/readme_part.py README.md table $(readme_table)
 	build/trocar show build/paper/paper.h5 --markdown $(apart) > $(apart_table)
 	$(PYTHON) cmake/readme_part.py experiments/metrics/README.md apart $(apart_table)
+
+paper_figures: build  ## run the scenes of the paper's Figs. 3 to 6 and draw them, results/reference/figures/
+	mkdir -p build/figures results/reference/figures
+	$(foreach figure,fig3 fig4 fig5 fig6,$(call draw_paper_figure,$(figure)))
 
 readings: build  ## run every reading of the paper's method, and make the tables of strategies/readings.md anew
 	mkdir -p build/readings

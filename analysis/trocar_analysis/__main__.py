@@ -1,4 +1,4 @@
-"""The command line: `/usr/bin/python3 -m trocar_analysis show|compare|sensitivity|snapshot|scene|metrics|rules …`. Exit code 0 when
+"""The command line: `/usr/bin/python3 -m trocar_analysis show|compare|sensitivity|claims|snapshot|figure|… …`. Exit code 0 when
 done, 1 when `compare` found what it should fail on, 2 for bad usage or input, with one line on stderr that says what
 is wrong, 3 for a bug in here, with the traceback on stderr."""
 
@@ -24,7 +24,7 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="show|compare|sensitivity|claims|snapshot|scene|metrics|rules")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="show|compare|sensitivity|claims|snapshot|figure|scene|metrics|rules")
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
@@ -130,6 +130,12 @@ def make_parser() -> argparse.ArgumentParser:
     )  # fmt: skip
     snapshot.set_defaults(function=run_snapshot)
 
+    figure = commands.add_parser("figure", help="steps of cases side by side, as a file describes")
+    figure.add_argument("file", help="result file of a run with --replay")
+    figure.add_argument("--panels", required=True, metavar="FILE", help="description of the figure, TOML")
+    figure.add_argument("-o", "--output", required=True, metavar="FILE", help="picture: .png or .svg")
+    figure.set_defaults(function=run_figure)
+
     scene = commands.add_parser("scene", help="a picture of a scene that `trocar snapshot --scene` has laid out")
     scene.add_argument("file", help="description of the scene, JSON")
     scene.add_argument("-o", "--output", required=True, metavar="FILE", help="picture: .png or .svg")
@@ -218,6 +224,12 @@ def run_snapshot(arguments: argparse.Namespace) -> None:
 
     a = arguments
     print(snapshot(a.file, a.case, a.step, a.output, a.alone, a.moment))
+
+
+def run_figure(arguments: argparse.Namespace) -> None:
+    from .figures.figure import draw_figure
+
+    print(draw_figure(arguments.file, arguments.panels, arguments.output))
 
 
 def run_scene(arguments: argparse.Namespace) -> None:

@@ -28,13 +28,13 @@ class Surface:
 
 
 def render(
-    camera: Camera, organ: Surface, tool: Surface, marked: np.ndarray, cut: bool
+    camera: Camera, organ: Surface, tool: Surface, marked: np.ndarray, cut: bool, mark: str = palette.FACET_IN_TOOL
 ) -> tuple[np.ndarray, np.ndarray]:
     """The picture's colours, [rows, columns, 3], and the depth of what hides the tool at each of its finer pixels.
 
-    `marked` are numbers of the organ's facets. Where `cut`, the part of the organ with y below that of the picture's
+    `marked` are numbers of the organ's facets, which get the colour `mark`. Where `cut`, the part of the organ with y below that of the picture's
     centre is left out, and the section is filled. The eye has to be on that side."""
-    colours, depth = draw_organ(camera, organ, marked, cut)
+    colours, depth = draw_organ(camera, organ, marked, cut, mark)
     colours = draw_glass(camera, tool, colours, depth)
     rows, columns = (size // FINER for size in camera.shape)
     blocks = colours[: rows * FINER, : columns * FINER].reshape(rows, FINER, columns, FINER, 3)
@@ -47,7 +47,7 @@ def brightness(normals: np.ndarray) -> np.ndarray:
 
 
 def draw_organ(
-    camera: Camera, organ: Surface, marked: np.ndarray, cut: bool
+    camera: Camera, organ: Surface, marked: np.ndarray, cut: bool, mark: str
 ) -> tuple[np.ndarray, np.ndarray]:
     depth = np.full(camera.shape, NOWHERE)
     from_within = np.zeros(camera.shape, bool)
@@ -57,7 +57,7 @@ def draw_organ(
     normals = facet_normals(seen, organ.facets)
     outside = normals[:, 2] >= 0
     facet_colours = np.where(outside[:, None], to_rgb(palette.ORGAN), to_rgb(palette.ORGAN_INSIDE))
-    facet_colours[marked] = to_rgb(palette.FACET_IN_TOOL)
+    facet_colours[marked] = to_rgb(mark)
     facet_colours *= brightness(np.where(outside[:, None], normals, -normals))[:, None]
     plane = section_depth(camera) if cut else np.full(camera.shape, np.inf)
     line = np.array(to_rgb(palette.ORGAN_OUTLINE))

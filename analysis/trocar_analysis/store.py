@@ -54,6 +54,7 @@ class Step:
     facets: np.ndarray  # of the organ, [facets, 3]
     tool_positions: np.ndarray  # tool vertices at this step, in world coordinates, mm, [vertices, 3]
     tool_facets: np.ndarray  # [facets, 3]
+    tool_tip: np.ndarray  # the origin of the tool's frame, mm, [3]
     tool_way: np.ndarray  # of the tool's tip in this step, mm, [3]; zero in the first step
     moved: np.ndarray  # numbers of the vertices that the strategy displaced
     values: dict[str, float]  # the step's value of every series of the case; "time" in s
@@ -150,6 +151,15 @@ class ResultFile:
             ranges = json.loads(text(said)) if said else {}
             return {reason: [(int(a), int(b)) for a, b in steps] for reason, steps in ranges.items()}
 
+    def series(self, case_id: str, name: str) -> np.ndarray:
+        """A series of a case, one value a step, NaN where there is none; in the stored unit."""
+        with self._reading():
+            known = list(self._file.get(f"series/{case_id}", {}))
+        if name not in known:
+            raise unknown("series", name, known)
+        with self._reading():
+            return self._file[f"series/{case_id}/{name}"][...].astype(float)
+
     def has_replay(self, case_id: str) -> bool:
         return f"replay/{case_id}" in self._file
 
@@ -193,6 +203,7 @@ class ResultFile:
             facets=replay["facets"][...],
             tool_positions=replay["tool_positions"][...] @ pose[:3, :3].T + pose[:3, 3],
             tool_facets=replay["tool_facets"][...],
+            tool_tip=pose[:3, 3],
             tool_way=pose[:3, 3] - before[:3, 3],
             moved=replay["moved"][int(offsets[number]) : int(offsets[number + 1])],
             values={

@@ -34,6 +34,7 @@ void add_show(CLI::App& app, Program& program);
 void add_compare(CLI::App& app, Program& program);
 void add_sensitivity(CLI::App& app, Program& program);
 void add_snapshot(CLI::App& app, Program& program);
+void add_figure(CLI::App& app, Program& program);
 void add_check(CLI::App& app, Program& program);
 void add_fuzzy(CLI::App& app, Program& program);
 /// @}

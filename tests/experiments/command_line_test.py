@@ -26,6 +26,21 @@ speeds = [100, 400]
 seeds = 2
 """
 
+PANELS = """title = "Two ways"
+caption = "Both at once."
+columns = 2
+view = { width = 30, height = 30, elevation = 30, turn = 0, rise = 2 }
+[[panel]]
+letter = "a"
+title = "one"
+where = { label = "nearest-face" }
+surface = "wire"
+[[panel]]
+letter = "b"
+title = "other"
+where = { label = "fuzzy-per-vertex" }
+"""
+
 CUBE_OFF = """OFF
 8 12 0
 0 0 0
@@ -82,7 +97,7 @@ class CommandLine(ProgramTest):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["snapshot"], ["check"],
+        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["snapshot"], ["figure"], ["reproduce"], ["check"],
                         ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
             text = self.expect_done(*command, "--help").stdout
@@ -254,6 +269,19 @@ class CommandLine(ProgramTest):
         for arguments in ([], ["--metric", "drag", "--scene", "sliding", "--organ", "sheet"], [self.out, "--metric", "drag"]):
             self.expect_refused("snapshot needs one of", "snapshot", *arguments, "-o", target)
         self.assertFalse(target.exists())
+
+    # Figures
+
+    def test_figure_draws_the_panels_that_a_file_describes(self):
+        self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1", "--only", "speed=400", "--replay")
+        panels = self.write("panels.toml", PANELS)
+        for name, beginning in (("x.png", b"\x89PNG"), ("x.svg", b"<?xml")):
+            said = self.expect_done("figure", self.out, "--panels", panels, "-o", self.folder / name).stdout
+            self.assertIn("b) fuzzy-per-vertex · step ", said)
+            self.assertTrue((self.folder / name).read_bytes().startswith(beginning))
+        wrong = self.write("wrong.toml", PANELS.replace("nearest-face", "farthest-face"))
+        self.expect_refused("wrong.toml: panel a: no label", "figure", self.out, "--panels", wrong, "-o", self.folder / "y.png")
+        self.assertFalse((self.folder / "y.png").exists())
 
     def test_every_metric_has_a_page_with_its_picture(self):
         table = self.expect_done("list", "metrics").stdout
