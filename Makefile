@@ -66,7 +66,7 @@ define draw_paper_figure
 endef
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures readings sensitivity everything test sanitize \
+.PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures claims readings sensitivity everything test sanitize \
     mutate lint docs bench clean
 
 help:  ## list the targets
@@ -100,6 +100,11 @@ figures: paper pictures  ## make the table and the picture of README.md anew, an
 paper_figures: build  ## run the scenes of the paper's Figs. 3 to 6 and draw them, results/reference/figures/
 	mkdir -p build/figures results/reference/figures
 	$(foreach figure,fig3 fig4 fig5 fig6,$(call draw_paper_figure,$(figure)))
+
+claims: build  ## judge every claim of the paper on all seeds; MESHES=folder runs the confirmation set too
+	mkdir -p build/claims
+	build/trocar reproduce -o build/claims/claims.h5 $(if $(MESHES),--confirmation $(MESHES)) --markdown \
+	    > build/claims/claims.md
 
 readings: build  ## run every reading of the paper's method, and make the tables of strategies/readings.md anew
 	mkdir -p build/readings

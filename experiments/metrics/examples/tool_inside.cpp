@@ -84,7 +84,7 @@ Example tool_volume_at_rest() {
         "The organ has been pressed flat: none of the tool is inside it. If it were at rest (the outline), "
         "11 mm of "
         "the tool would be, of 3 mm by 3 mm.";
-    example.eye = {.towards = {0.7, -1, 0.5}, .centre = {0, 0, 4}, .width = 30, .height = 27, .cut = true};
+    example.eye = {.towards = {0.7, -1, 0.5}, .centre = {0, 0, 3}, .width = 34, .height = 32, .cut = true};
     Marks outline{.segments = box_edges({-10, -10, -7}, {10, 10, 7})};
     std::ranges::copy(box_edges({2.5, -1.5, -4}, {5.5, 1.5, 7}), std::back_inserter(outline.segments));
     example.panels = {{.title = "before handling",
