@@ -104,7 +104,8 @@ def make_parser() -> argparse.ArgumentParser:
 
     claims = commands.add_parser("claims", help="the paper's claims, judged on a result file")
     claims.add_argument("claims", help="the claims and their conditions, TOML")
-    claims.add_argument("file", help="result file, as `trocar reproduce` wrote it")
+    claims.add_argument("file", nargs="?", help="result file, as `trocar reproduce` wrote it")
+    claims.add_argument("--check", action="store_true", help="only read the claims: is anything wrong with them?")
     claims.add_argument("--turns", metavar="FILE", help="how far answers turn for inputs that are almost the same, CSV")
     claims.add_argument("--only", metavar="ID,…", help="these claims only")
     claims.add_argument("--better", default="", metavar="METRIC=low|high,…", help="which way is better")
@@ -198,9 +199,15 @@ def run_sensitivity(arguments: argparse.Namespace) -> None:
 
 
 def run_claims(arguments: argparse.Namespace) -> None:
+    from .claims.claim_file import read_claims
     from .claims.reproduce import reproduce
 
     a = arguments
+    if a.check:
+        read_claims(a.claims)
+        return
+    if a.file is None:
+        raise InputError("the result file is missing")
     style = "json" if a.json else "markdown" if a.markdown else "text"
     sys.stdout.write(reproduce(a.claims, a.file, a.turns, names_of(a.only), directions_of(a.better), style))
     sys.stdout.flush()

@@ -58,11 +58,11 @@ struct ReproduceOptions {
 };
 
 ClaimsPlan make_plan(const ReproduceOptions& options, const fs::path& claims_file) {
-    const std::optional<fs::path> meshes =
-        options.confirmation.empty() ? std::nullopt : std::optional<fs::path>(options.confirmation);
-    if (meshes && !fs::is_directory(*meshes))
-        throw InputError(fmt::format("--confirmation {}: is no folder", meshes->string()));
-    return plan_claims(claims_file, options.claims, meshes);
+    ClaimsWish wish{.chosen = options.claims, .is_quick = options.quick, .meshes = {}};
+    if (!options.confirmation.empty()) wish.meshes = options.confirmation;
+    if (wish.meshes && !fs::is_directory(*wish.meshes))
+        throw InputError(fmt::format("--confirmation {}: is no folder", wish.meshes->string()));
+    return plan_claims(claims_file, wish);
 }
 
 /// What all sweeps have in common. Every case of every sweep is in the order, whatever is asked for now, and
@@ -75,9 +75,7 @@ RunRequest common_request(const ReproduceOptions& options, const ClaimsPlan& pla
                       .sweep_toml = plan.text,
                       .sweep_hash = hash_of(plan.text),
                       .sweep_cases = {}};
-    for (const ClaimSweep& one : plan.sweeps) {
-        for (const CaseInputs& inputs : one.cases) request.case_order.push_back(inputs.case_id);
-    }
+    request.case_order = plan.case_order;
     if (fs::exists(request.out)) {
         for (const Contents::Case& one : read_contents(request.out).cases) {
             if (std::ranges::find(request.case_order, one.case_id) == request.case_order.end())
@@ -91,12 +89,10 @@ RunRequest common_request(const ReproduceOptions& options, const ClaimsPlan& pla
     return request;
 }
 
-RunRequest request_of(const ClaimSweep& one, RunRequest request, const ClaimsPlan& plan, bool quick) {
-    for (const CaseInputs& inputs : one.cases) {
-        if (!quick || inputs.seed <= plan.quick_seeds) request.cases.push_back(inputs);
-    }
+RunRequest request_of(const ClaimSweep& one, RunRequest request) {
+    request.cases = one.cases;
     request.options = {.replay = false,
-                       .metrics = choose_metrics(plan.metrics),
+                       .metrics = one.metrics,
                        .same_state = one.sweep.same_state,
                        .answering = one.sweep.strategies};
     return request;
@@ -106,12 +102,11 @@ RunRequest request_of(const ClaimSweep& one, RunRequest request, const ClaimsPla
 bool run_sweeps(const ReproduceOptions& options, const ClaimsPlan& plan, const Program& program) {
     const StopOnSignal signals;
     const RunRequest common = common_request(options, plan, program);
-    for (std::size_t k = 0; k < plan.sweeps.size(); ++k) {
-        if (!plan.needed[k]) continue;
-        const RunRequest request = request_of(plan.sweeps[k], common, plan, options.quick);
-        if (request.cases.empty()) continue;
+    for (const ClaimSweep& one : plan.sweeps) {
+        if (one.cases.empty()) continue;
+        const RunRequest request = request_of(one, common);
         const auto start = std::chrono::steady_clock::now();
-        fmt::print(stderr, "{}: {} cases\n", plan.sweeps[k].sweep.name, request.cases.size());
+        fmt::print(stderr, "{}: {} cases\n", one.sweep.name, request.cases.size());
         RunOutcome outcome;
         {
             Progress progress(stderr);
@@ -121,8 +116,8 @@ bool run_sweeps(const ReproduceOptions& options, const ClaimsPlan& plan, const P
         }
         for (const std::string& line : outcome.failures) fmt::print(stderr, "{}\n", line);
         const auto wall = std::chrono::steady_clock::now() - start;
-        fmt::print(stderr, "{}: {} from an earlier run, {} run in {}\n", plan.sweeps[k].sweep.name,
-                   outcome.kept, outcome.ran, duration_text(std::chrono::round<std::chrono::seconds>(wall)));
+        fmt::print(stderr, "{}: {} from an earlier run, {} run in {}\n", one.sweep.name, outcome.kept,
+                   outcome.ran, duration_text(std::chrono::round<std::chrono::seconds>(wall)));
         if (outcome.interrupted) return false;
     }
     return true;
@@ -144,6 +139,12 @@ void run_turns(const ReproduceOptions& options, const ClaimsPlan& plan) {
     write_turns(turns_file(options.out), measure_turns(strategies, seeds));
 }
 
+/// What the analysis reads of the file of claims, before anything is run: a mistake in a condition must not
+/// show after half an hour.
+int check_conditions(const fs::path& claims_file) {
+    return run_analysis({"claims", "--check", "--", claims_file.string()});
+}
+
 int judge(const ReproduceOptions& options, const ClaimsPlan& plan, const fs::path& claims_file) {
     std::vector<std::string> words{"claims", "--better=" + better_directions()};
     if (!options.claims.empty()) words.push_back(fmt::format("--only={}", fmt::join(options.claims, ",")));
@@ -158,6 +159,7 @@ int reproduce(const ReproduceOptions& options, const Program& program) {
     const fs::path claims_file =
         options.claims_file.empty() ? find_shipped("experiments/claims.toml") : fs::path(options.claims_file);
     const ClaimsPlan plan = make_plan(options, claims_file);
+    if (const int code = check_conditions(claims_file); code != ExitCode::done) return code;
     for (const std::string& line : plan.left_out) fmt::print(stderr, "{}\n", line);
     try {
         if (!run_sweeps(options, plan, program)) {

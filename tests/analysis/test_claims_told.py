@@ -69,7 +69,7 @@ class Told(ClaimsTest):
         said = self.told()
         self.assertIn("depth_max_d_max (a) < 3 × (b), 400 mm/s", said)
         self.assertRegex(said, r"C1 +Fig. 1 +reproduced +not run +something")
-        self.assertRegex(said, r"contact +mm +1.5 +2 +−4.5 \[−4.5, −4.5\] +12 +12 +yes")
+        self.assertRegex(said, r"contact +mm +1.5 +2 +−4.5 \[−4.5, −4.5\] +12 +12 +12 +yes")
 
     def test_markdown_is_a_table_whatever_texts_hold(self):
         text = claim(LESS.replace('"a"', '"a|1"'), LIMIT).replace('"something"', '"""one|two\nthree"""')
@@ -110,6 +110,7 @@ class Mistakes(ClaimsTest):
             (LIMIT + '\nwhere = "a"', "C1", "where is 'a'", "a table"),
             (LIMIT + "\neach = { speed = 20 }", "C1", "each.speed is 20", "a list"),
             (LIMIT + "\neach = { speed = [] }", "C1", "each.speed", "a list"),
+            (LIMIT.replace("depth_max_d_max", "depth"), "C1", "depth", "no figure of a case"),
         ):
             self.assert_refused(claim(condition), *words)
 
@@ -120,6 +121,13 @@ class Mistakes(ClaimsTest):
         self.assert_refused(claim(LIMIT).replace('id = "C1"', ""), "without id")
         self.assert_refused(claim(LIMIT).replace('says = "something"', "says = 3"), "C1", "says")
         self.assert_refused(claim(LIMIT, more='sweeps = ["none.toml"]\n'), "none.toml", "No such file")
+
+    def test_a_figure_that_its_sweep_is_not_measured_by(self):
+        (self.folder / "one.toml").write_text('organs = ["sphere@4mm"]\n')
+        text = claim(LIMIT, more='sweeps = ["one.toml"]\n')
+        self.assert_refused('[sweep."one.toml"]\nmetrics = ["drag"]\n' + text, "C1: depth_max_d_max is of no metric", "one.toml")
+        self.claims.write_text('[sweep."one.toml"]\nmetrics = ["depth_max"]\n' + text)
+        read_claims(str(self.claims))
 
     def test_of_the_file(self):
         self.assert_refused("", "no [[claim]]")

@@ -62,6 +62,22 @@ def organs_of(sources: Sources, confirmation: bool) -> set[str]:
     return {name for name in names if (FORMULA not in name) == confirmation}
 
 
+def runs_without_states(condition: Condition, sources: Sources) -> tuple[int, int]:
+    """Of the runs whose states a condition is judged on: in how many there was none to hand out, since nothing was ever
+    inside the tool, and how many there are."""
+    runs, states = sources.tables.get("runs"), sources.tables.get("answers")
+    if condition.data != "answers" or runs is None or states is None:
+        return 0, 0
+    chosen = rows_of(condition.sweeps, runs)
+    for column, values in condition.of.items():
+        # In the table of answers `label` is who answered; the runs are everybody's.
+        if column in RUN_KEYS and column != "label":
+            chosen &= runs[column].isin({*values, *condition.than.get(column, ())})
+    asked = set(states["case_id"]) if len(states) else set()
+    ids = runs.loc[chosen, "case_id"]
+    return int((~ids.isin(asked)).sum()), len(ids)
+
+
 def values_of(condition: Condition, sources: Sources, release: str, confirmation: bool) -> Values:
     """What the condition is judged on under this release."""
     groups = [figures(condition, condition.of, sources, release, confirmation, condition.asks_for_more)]

@@ -8,10 +8,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..errors import InputError, unknown
+from ..subject import CASES, STATES
 from .claim_sweeps import Sweep, read_sweeps
 
 RELATIONS = ("<", ">", "<=", ">=")
 DATA = ("runs", "answers", "turns")
+TIMES = "time_"  # how the columns of every case's times begin
 
 Where = dict[str, tuple]  # column → the values that rows may have in it
 
@@ -62,12 +64,26 @@ def read_claims(path: str) -> list[Claim]:
         raise InputError(f"{path}: has no [[claim]]")
     try:
         read = [read_claim(claim, Path(path).parent) for claim in claims]
+        for claim, table in zip(read, claims):
+            check_figures(claim, table.get("sweeps", []), content.get("sweep", {}))
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
     ids = [claim.id for claim in read]
     if twice := next((one for one in ids if ids.count(one) > 1), None):
         raise InputError(f"{path}: has claim {twice} twice")
     return read
+
+
+def check_figures(claim: Claim, sweeps: list[str], notes: dict) -> None:
+    """That the cases of the claim's sweeps are measured by what its conditions ask for."""
+    for one in claim.conditions:
+        for column in (*one.figure, *one.per) if one.data != "turns" else ():
+            name = (STATES if one.data == "answers" else CASES).name_of(column)
+            if name is None:
+                raise InputError(f"claim {claim.id}: {column} is no figure of a case, such as depth_max_d_max")
+            for sweep in sweeps:
+                if name.metric not in notes.get(sweep, {}).get("metrics", []) and not name.metric.startswith(TIMES):
+                    raise InputError(f"claim {claim.id}: {column} is of no metric that {sweep} is measured by")
 
 
 def choose_claims(claims: list[Claim], ids: list[str] | None) -> list[Claim]:

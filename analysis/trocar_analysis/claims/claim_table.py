@@ -27,6 +27,7 @@ class Answer:
     claim: Claim
     verdicts: dict[str, Verdict]  # by release
     confirmation: dict[str, Verdict]
+    without_states: tuple[int, int] = (0, 0)  # runs that had no state to hand out, of how many
 
 
 def render(answers: list[Answer], units: dict[str, str], style: str, level: str = "##") -> str:
@@ -35,8 +36,8 @@ def render(answers: list[Answer], units: dict[str, str], style: str, level: str 
         parts.append("\n".join(heading(answer, style, level)) + "\n")
         if any(verdict.judged for verdict in answer.verdicts.values()):
             parts.append(block(conditions_table(answer, units), style))
-            if dropped := left_out(answer):
-                parts.append(dropped + "\n")
+            if notes := [note for note in (left_out(answer), silent(answer)) if note]:
+                parts.append(" ".join(notes) + "\n")
     return "\n".join([*parts, "\n".join(legend(style)) + "\n"])
 
 
@@ -95,7 +96,7 @@ def conditions_table(answer: Answer, units: dict[str, str]) -> list[Column]:
         columns.append(Column(("of the other", ""), "", False, cells))
     columns += result_columns("", judged, scales)
     if any(np.isfinite(one.p) for one in judged):
-        columns.append(Column(("p", ""), "", False, [(p_text(one.p), "") for one in judged]))
+        columns.append(Column(("two-sided p", ""), "", False, [(p_text(one.p), "") for one in judged]))
     confirmed = [one for _, _, one in rows]
     if any(one and one.pairs for one in confirmed):
         columns += result_columns("confirmation: ", confirmed, scales)
@@ -106,6 +107,7 @@ def result_columns(title: str, judged: list[Judged | None], scales: list[tuple[s
     return [
         Column((f"{title}difference", ""), "", False, [interval(one, factor) for one, (_, factor) in zip(judged, scales)]),
         Column((f"{title}n", ""), "", False, [(counted(one), "") for one in judged]),
+        Column((f"{title}seeds", ""), "", False, [(f"{one.seeds}" if one else "–", "") for one in judged]),
         Column((f"{title}singly", ""), "", False, [(singly(one), "") for one in judged]),
         Column((f"{title}holds", ""), "", True, [(holds_text(one), "") for one in judged]),
     ]
@@ -135,7 +137,12 @@ def margin(one: Judged) -> float:
 def left_out(answer: Answer) -> str:
     every = sum(len(verdict.judged) for verdict in answer.verdicts.values())
     shown = len(shown_rows(answer))
-    return f"{every - shown} more hold, all by more." if shown < every else ""
+    return f"{every - shown} more hold." if shown < every else ""
+
+
+def silent(answer: Answer) -> str:
+    none, every = answer.without_states
+    return f"In {none} of {every:,} runs nothing was ever inside the tool: no state to ask about." if none else ""
 
 
 def condition_text(condition: Condition, units: dict[str, str]) -> str:
@@ -215,11 +222,12 @@ def holds_text(one: Judged | None) -> str:
 
 def legend(style: str) -> list[str]:
     lines = [
-        "difference: median of (figure − limit), or over the pairs of (figure − times × the other's), and its "
+        "difference: median of the figure itself where no limit is set, of (figure − limit), or over the pairs of (figure − times × the other's), and its "
         f"{100 * LEVEL:.0f} % interval ({RESAMPLES:,} resamples of seeds within organs). A condition holds when the median "
         "and the whole interval are on its side of 0.",
-        "n: cases, or pairs; singly: of how many the condition holds one by one; p: Wilcoxon's signed-rank test, Holm's "
-        "correction over the conditions of the claim. A case that failed counts as the worst value there is.",
+        "n: cases, or pairs; seeds: how many places on organs they are from, which is what an interval counts; singly: of "
+        "how many the condition holds one by one; two-sided p: Wilcoxon's signed-rank test of no difference at all, whichever "
+        "way, with Holm's correction over the conditions of the claim. A case that failed counts as the worst value there is.",
         f"An interval needs {FEWEST_SEEDS} seeds over all organs; with fewer ({TOO_FEW}) nothing is said.",
     ]
     return [f"- {line}" for line in lines] if style == "markdown" else lines

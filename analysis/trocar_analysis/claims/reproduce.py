@@ -8,8 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from ..effects import holm
-from .claim_data import read_sources
-from .claim_file import choose_claims, read_claims
+from .claim_data import Sources, read_sources, runs_without_states
+from .claim_file import Claim, choose_claims, read_claims
 from .claim_table import Answer, render
 from .verdicts import Verdict, judge_claim
 
@@ -28,12 +28,20 @@ def reproduce(
             claim,
             {release: corrected(judge_claim(claim, sources, release, False)) for release in RELEASES},
             {release: corrected(judge_claim(claim, sources, release, True)) for release in RELEASES},
+            without_states(claim, sources),
         )
         for claim in claims
     ]
     if style == "json":
         return json.dumps([as_json(answer) for answer in answers], indent=1, ensure_ascii=False) + "\n"
     return render(answers, sources.units, style)
+
+
+def without_states(claim: Claim, sources: Sources) -> tuple[int, int]:
+    """Runs without states, of those of all conditions; conditions of one claim differ in what they ask of the same
+    runs, or in which."""
+    counts = {tuple(map(str, one.each.items())): runs_without_states(one, sources) for one in claim.conditions}
+    return sum(none for none, _ in counts.values()), sum(every for _, every in counts.values())
 
 
 def corrected(verdict: Verdict) -> Verdict:
@@ -69,7 +77,7 @@ def verdict_json(verdict: Verdict) -> dict:
                 "data": one.condition.data, "figure": one.condition.figure, "per": one.condition.per,
                 "each": one.condition.each, "of": one.condition.of, "than": one.condition.than,
                 "is": one.condition.relation, "limit": one.condition.limit, "times": one.condition.times,
-                "n": one.pairs, "failed": one.failed, "lacking": one.lacking, "singly": one.single, "holds": one.holds,
+                "n": one.pairs, "seeds": one.seeds, "failed": one.failed, "lacking": one.lacking, "singly": one.single, "holds": one.holds,
             } | {name: finite(getattr(one, attribute)) for name, attribute in numbers.items()}
             for one in verdict.judged
         ],

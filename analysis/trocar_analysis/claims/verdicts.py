@@ -22,6 +22,7 @@ class Judged:
 
     condition: Condition
     pairs: int  # cases, where the condition compares with a limit
+    seeds: int  # places on organs that they are from
     failed: int
     lacking: int  # cases or pairs without a value
     of: float  # median of the figure
@@ -72,14 +73,14 @@ def judge(condition: Condition, values: Values) -> Judged:
     n = len(values.values)
     if n == 0:
         nothing = float("nan")
-        return Judged(condition, 0, values.failed, values.lacking, *[nothing] * 5, 0, nothing, None)
+        return Judged(condition, 0, 0, values.failed, values.lacking, *[nothing] * 5, 0, nothing, None)
     estimate = condition_interval(values.values, values.organs, values.seeds)
     single = int(on_side(condition, values.values).sum()) if condition.relation else 0
     holds = None
     if condition.relation and not np.isnan(estimate.low):
         holds = bool(np.all(on_side(condition, np.array([estimate.median, estimate.low, estimate.high]))))
     return Judged(
-        condition, n, values.failed, values.lacking, median(values.of),
+        condition, n, len(set(zip(values.organs, values.seeds))), values.failed, values.lacking, median(values.of),
         median(values.than) if condition.than else float("nan"), estimate.median, estimate.low, estimate.high, single,
         signed_rank(values.values) if condition.than else float("nan"), holds,
     )  # fmt: skip
