@@ -41,6 +41,7 @@ void add_provenance(hid_t file, const WholeNumbers& rows, std::vector<Contents::
 Contents read_here(const std::filesystem::path& file) {
     CampaignFile campaign = open_campaign(file);
     const hdf5::Group group = hdf5::open_group(campaign.file.id(), cases_group);
+    const hdf5::Group series = hdf5::open_group(campaign.file.id(), series_group);
     const hdf5::Group replays = hdf5::open_group(campaign.file.id(), replay_group);
     const Table cases = read_table(group.id(), case_columns);
     const Texts& case_ids = texts(cases, "case_id", group.id());
@@ -55,6 +56,7 @@ Contents read_here(const std::filesystem::path& file) {
         contents.cases.push_back({.case_id = case_ids[i],
                                   .build_id = build_ids[i],
                                   .status = status[i],
+                                  .has_series = hdf5::exists(series.id(), case_ids[i]),
                                   .has_replay = hdf5::exists(replays.id(), case_ids[i]),
                                   .metrics = metrics[i],
                                   .attempts = attempts[i],
@@ -75,9 +77,10 @@ std::string as_text(const Contents& contents) {
                                    header.sweep_cases ? fmt::format("{}", header.sweep_cases->count) : "",
                                    header.sweep_cases ? header.sweep_cases->ids_hash : ""};
     for (const Contents::Case& one : contents.cases) {
-        texts.insert(texts.end(), {one.case_id, one.build_id, one.status, one.has_replay ? "replay" : "",
-                                   one.metrics, fmt::format("{}", one.attempts),
-                                   fmt::format("{}", one.sweep_number), one.end, one.machine});
+        texts.insert(texts.end(),
+                     {one.case_id, one.build_id, one.status, one.has_series ? "series" : "",
+                      one.has_replay ? "replay" : "", one.metrics, fmt::format("{}", one.attempts),
+                      fmt::format("{}", one.sweep_number), one.end, one.machine});
     }
     return joined_texts(texts);
 }
@@ -102,6 +105,7 @@ Contents contents_in(const std::string& text) {
     while (next != texts.end()) {
         Contents::Case& one = contents.cases.emplace_back();
         for (std::string* cell : {&one.case_id, &one.build_id, &one.status}) *cell = *next++;
+        one.has_series = !(next++)->empty();
         one.has_replay = !(next++)->empty();
         one.metrics = *next++;
         one.attempts = number_in(*next++);

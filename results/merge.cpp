@@ -189,9 +189,10 @@ void copy_groups(const hdf5::File& to, const Part& part, const std::vector<std::
             from = open_campaign(part.file);
         }
         now_reading(part.file);
-        copy_group(from.file.id(), to.id(), fmt::format("{}/{}", series_group, ids[i]));
-        const std::string replay = fmt::format("{}/{}", replay_group, ids[i]);
-        if (hdf5::exists(from.file.id(), replay)) copy_group(from.file.id(), to.id(), replay);
+        for (const char* group : {series_group, replay_group}) {
+            const std::string path = fmt::format("{}/{}", group, ids[i]);
+            if (hdf5::exists(from.file.id(), path)) copy_group(from.file.id(), to.id(), path);
+        }
     }
 }
 
@@ -217,7 +218,7 @@ void supervised_on_disk(const std::filesystem::path& written, std::span<const Pa
 }  // namespace
 
 void merge(const std::filesystem::path& out, const CampaignHeader& header, std::span<const Part> parts,
-           std::span<const std::string> case_order) {
+           std::span<const std::string> case_order, Merged what) {
     if (case_order.empty()) throw StoreError(fmt::format("{}: not merged: there are no cases", out.string()));
     PendingFile pending(out);
     supervised_on_disk(pending.temporary(), parts, [&] {
@@ -226,7 +227,10 @@ void merge(const std::filesystem::path& out, const CampaignHeader& header, std::
         const std::vector<std::size_t> rows = rows_in_order(out, collected, case_order);
         hdf5::File file = create_campaign(pending.temporary(), header);
         write_merged_tables(file, collected, rows, case_order);
-        for (std::size_t i = 0; i < parts.size(); ++i) copy_groups(file, parts[i], collected.ids_of_part[i]);
+        if (what == Merged::everything) {
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                copy_groups(file, parts[i], collected.ids_of_part[i]);
+        }
         finish_campaign(std::move(file), pending.temporary());
         return std::string();
     });

@@ -31,6 +31,7 @@ struct Contents {
         std::string case_id;
         std::string build_id;
         std::string status;
+        bool has_series = false;
         bool has_replay = false;
         std::string metrics;            ///< the metrics that were on
         std::int64_t attempts = 0;      ///< how often the case was started, as far as results tell
@@ -54,11 +55,18 @@ struct Part {
     std::set<std::string> case_ids;
 };
 
+/// What of its parts a merged file holds.
+enum class Merged {
+    everything,
+    tables,  ///< /cases, /states and /provenance, without any step's series and replays: a hundredth of the
+             ///< size
+};
+
 /// Merges parts into one campaign file, atomically and in a child process as above, with the cases in the
 /// order of `case_order` (every id in it must be in exactly one part); their rows of /states follow that
 /// order too. Columns that a part lacks are filled with NaN, "" or 0. Refuses parts whose schema or sweep
 /// differs, saying which. `out` may be one of the parts. Throws StoreError.
 void merge(const std::filesystem::path& out, const CampaignHeader& header, std::span<const Part> parts,
-           std::span<const std::string> case_order);
+           std::span<const std::string> case_order, Merged what = Merged::everything);
 
 }  // namespace trocar

@@ -29,6 +29,7 @@ constexpr const char* footer =
 struct MergeOptions {
     std::vector<std::string> inputs;
     std::string out;
+    bool tables_only = false;
 };
 
 /// @returns whether nothing is missing, as far as is known
@@ -45,7 +46,8 @@ bool tell_missing(const MergeOutcome& outcome) {
 
 int run_merge(const MergeOptions& options) {
     const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
-    const MergeOutcome outcome = merge_results(inputs, options.out);
+    const MergeOutcome outcome =
+        merge_results(inputs, options.out, options.tables_only ? Merged::tables : Merged::everything);
     for (const std::string& line : outcome.warnings) fmt::print(stderr, "{}\n", line);
     std::string counts;
     for (const auto& [status, count] : outcome.by_status)
@@ -72,6 +74,9 @@ void add_merge(CLI::App& app, Program& program) {
     command->footer(footer);
     command->add_option("RESULTS", options->inputs, "result files, and folders of them")->required();
     command->add_option("-o,--output", options->out, "result file to write")->required();
+    command->add_flag("--tables-only", options->tables_only,
+                      "without the series of every step and the replays: what show, compare and reproduce "
+                      "read, small enough to be sent");
     command->callback([options, &program] { program.exit_code = run_merge(*options); });
 }
 

@@ -13,6 +13,7 @@ void add_cases(DoneCases& done, const std::filesystem::path& file, const Content
         done[one.case_id] = {.file = file,
                              .build_id = one.build_id,
                              .status = one.status,
+                             .has_series = one.has_series,
                              .has_replay = one.has_replay,
                              .metrics = one.metrics,
                              .attempts = one.attempts,

@@ -12,6 +12,7 @@ struct DoneCase {
     std::filesystem::path file;
     std::string build_id;
     std::string status;
+    bool has_series = false;  ///< not where tables alone were merged
     bool has_replay = false;
     std::string metrics;  ///< those that were taken, as metric_names has them
     std::int64_t attempts = 0;

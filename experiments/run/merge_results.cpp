@@ -82,6 +82,12 @@ CampaignHeader common_header(const std::vector<fs::path>& files, const std::vect
     return header;
 }
 
+/// Of two results of a case, whether the later input's is taken.
+bool is_taken(const Contents::Case& later, const Contents::Case& earlier) {
+    if (later.end != earlier.end) return later.end > earlier.end;
+    return later.has_series || !earlier.has_series;
+}
+
 /// Each case once, in the order in which the inputs name it; counts those left out.
 std::vector<Taken> newest_cases(const std::vector<Contents>& contents, std::size_t& left_out) {
     std::vector<Taken> taken;
@@ -95,14 +101,16 @@ std::vector<Taken> newest_cases(const std::vector<Contents>& contents, std::size
             }
             ++left_out;
             Taken& other = taken[known->second];
-            if (entry.end >= other.entry.end) other = {.input = input, .entry = entry};
+            if (is_taken(entry, other.entry)) other = {.input = input, .entry = entry};
         }
     }
     return taken;
 }
 
-/// Throws InputError unless what `out` holds is among the cases taken.
-void check_replaceable(const fs::path& out, const CampaignHeader& header, const std::vector<Taken>& taken) {
+/// Throws InputError unless what `out` holds is among the cases taken, each with its series where it has
+/// them.
+void check_replaceable(const fs::path& out, const CampaignHeader& header, const std::vector<Taken>& taken,
+                       Merged what) {
     if (!fs::exists(out)) return;
     if (!fs::is_regular_file(out))
         throw InputError(fmt::format("{}: exists and is no file; choose another output", out.string()));
@@ -111,8 +119,9 @@ void check_replaceable(const fs::path& out, const CampaignHeader& header, const 
         throw InputError(
             fmt::format("{}: holds the results of another sweep; choose another output", out.string()));
     }
-    std::set<std::string> ids;
-    for (const Taken& one : taken) ids.insert(one.entry.case_id);
+    std::map<std::string, bool> ids;  // and whether the series is taken
+    for (const Taken& one : taken)
+        ids[one.entry.case_id] = one.entry.has_series && what == Merged::everything;
     const auto lost = std::ranges::count_if(
         before.cases, [&](const Contents::Case& one) { return !ids.contains(one.case_id); });
     if (lost > 0) {
@@ -121,10 +130,17 @@ void check_replaceable(const fs::path& out, const CampaignHeader& header, const 
                         "another output",
                         out.string(), lost));
     }
+    const auto stripped = std::ranges::count_if(
+        before.cases, [&](const Contents::Case& one) { return one.has_series && !ids.at(one.case_id); });
+    if (stripped > 0) {
+        throw InputError(
+            fmt::format("{}: holds the series of {} cases, which would be lost; choose another output",
+                        out.string(), stripped));
+    }
 }
 
 void write_merged(const fs::path& out, const CampaignHeader& header, const std::vector<fs::path>& files,
-                  const std::vector<Taken>& taken) {
+                  const std::vector<Taken>& taken, Merged what) {
     std::vector<Part> all;
     for (const fs::path& file : files) all.push_back({.file = file, .case_ids = {}});
     std::vector<std::string> order;
@@ -134,12 +150,12 @@ void write_merged(const fs::path& out, const CampaignHeader& header, const std::
     }
     // To merge, a part without names stands for all of its cases.
     std::erase_if(all, [](const Part& part) { return part.case_ids.empty(); });
-    merge(out, header, all, order);
+    merge(out, header, all, order, what);
 }
 
 }  // namespace
 
-MergeOutcome merge_results(std::span<const fs::path> inputs, const fs::path& out) {
+MergeOutcome merge_results(std::span<const fs::path> inputs, const fs::path& out, Merged what) {
     const PartsFolder alone(out, PartsOf::any_run);
     const std::vector<fs::path> files = listed_files(inputs);
     const std::vector<Contents> contents = read_all(files);
@@ -147,12 +163,12 @@ MergeOutcome merge_results(std::span<const fs::path> inputs, const fs::path& out
     MergeOutcome outcome;
     outcome.files = files.size();
     std::vector<Taken> taken = newest_cases(contents, outcome.left_out);
-    check_replaceable(out, header, taken);
+    check_replaceable(out, header, taken, what);
 
     const auto number = [](const Taken& one) { return one.entry.sweep_number; };
     outcome.in_order = std::ranges::all_of(taken, [&](const Taken& one) { return number(one) > 0; });
     if (outcome.in_order) std::ranges::stable_sort(taken, {}, number);
-    write_merged(out, header, files, taken);
+    write_merged(out, header, files, taken, what);
 
     outcome.cases = taken.size();
     if (header.sweep_cases) outcome.sweep_cases = static_cast<std::size_t>(header.sweep_cases->count);
@@ -162,7 +178,7 @@ MergeOutcome merge_results(std::span<const fs::path> inputs, const fs::path& out
         entries.push_back(one.entry);
     }
     outcome.warnings = mixed_origins(entries);
-    if (std::ranges::any_of(entries, &Contents::Case::has_replay)) {
+    if (what == Merged::everything && std::ranges::any_of(entries, &Contents::Case::has_replay)) {
         outcome.xdmf = fs::path(out).replace_extension(".xdmf");
         write_xdmf(out, outcome.xdmf);
     }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "results/store.h"
+
 namespace trocar {
 
 /// What came of merging result files.
@@ -27,6 +29,7 @@ struct MergeOutcome {
 /// is there is replaced if the inputs hold all of its cases. Throws InputError when an input is no result
 /// file, of another schema or sweep, or when `out` would lose something or is being written; StoreError when
 /// writing fails.
-MergeOutcome merge_results(std::span<const std::filesystem::path> inputs, const std::filesystem::path& out);
+MergeOutcome merge_results(std::span<const std::filesystem::path> inputs, const std::filesystem::path& out,
+                           Merged what = Merged::everything);
 
 }  // namespace trocar

@@ -34,7 +34,7 @@ const DoneCase* left_of(const CaseInputs& inputs, const DoneCases& done, const R
 
 bool has_result(const DoneCases& done, const CaseInputs& inputs, const RunRequest& request) {
     const DoneCase* left = left_of(inputs, done, request);
-    return left != nullptr && (left->has_replay || !request.options.replay) &&
+    return left != nullptr && left->has_series && (left->has_replay || !request.options.replay) &&
            std::ranges::all_of(request.options.metrics,
                                [&](const Metric* metric) { return was_taken(metric, left->metrics); });
 }
@@ -215,6 +215,7 @@ class PendingRun {
         done_[pending_[task].case_id] = {.file = part_of(task),
                                          .build_id = request_.build_id,
                                          .status = report.at("status"),
+                                         .has_series = true,
                                          .has_replay = options_[task].replay,
                                          .metrics = metric_names(options_[task].metrics),
                                          .end = {},

@@ -94,6 +94,27 @@ class MergeCommand(ProgramTest):
         self.assertIn("8 of the sweep's 12 cases are missing", result.stdout)
         self.assertIn("4 from an earlier run, 8 run", self.expect_done("run", self.sweep, "-o", self.merged).stdout)
 
+    def test_tables_only_leaves_out_series_and_can_be_made_whole(self):
+        tables = self.folder / "tables.h5"
+        self.expect_done("run", self.sweep, "-o", self.whole, "--replay")
+        self.expect_done("merge", self.whole, "-o", tables, "--tables-only")
+        with h5py.File(tables) as file:
+            self.assertEqual((len(file["series"]), len(file["replay"]), len(file["cases/case_id"])), (0, 0, 12))
+        self.assertEqual(self.contents(tables)[1], self.contents(self.whole)[1])
+        for command in ("show", "compare"):
+            files = [tables] if command == "show" else [tables, self.whole]
+            self.assertIn("nearest-face", self.expect_done(command, *files).stdout)
+
+        # Of two results of one run the whole one is taken, and none is ever replaced by less.
+        for inputs in ((tables, self.whole), (self.whole, tables)):
+            self.expect_done("merge", *inputs, "-o", self.merged)
+            self.assertEqual(self.contents(self.merged), self.contents(self.whole))
+        for more in ((self.whole, "-o", self.whole, "--tables-only"), (tables, "-o", self.whole)):
+            self.expect_refused("holds the series of 12 cases, which would be lost", "merge", *more)
+
+        self.assertIn("0 from an earlier run, 12 run", self.expect_done("run", self.sweep, "-o", tables).stdout)
+        self.assertEqual(self.contents(tables), self.contents(self.whole))
+
     def test_a_folder_of_parts_is_merged(self):
         parts = self.folder / "results"
         parts.mkdir()
