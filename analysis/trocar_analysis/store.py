@@ -127,6 +127,11 @@ class ResultFile:
         Empty when the file has none."""
         return self._table("provenance")
 
+    def sweep_cases(self) -> int | None:
+        """How many cases the whole sweep has, of which the file may hold a part; None where it does not say."""
+        count = self._file.attrs.get("sweep_cases")
+        return None if count is None else int(count)
+
     def units(self) -> dict[str, str]:
         """The unit of each column of /cases and /states; "" for text and plain numbers."""
         with self._reading():
