@@ -18,7 +18,8 @@ NAMES = ["fuzzy", "nearest-face", "cylinder-axis", "joint-vertex"]
 def made_up(means, blocks=14, names=NAMES, failed=None, left_out=0):
     """Ranks of these means: half of the blocks as much above as the others below."""
     spread = np.where(np.arange(blocks) % 2, 0.5, -0.5)[:, None] * np.array([1, -1, 0, 0])
-    return Ranks(list(names), np.array(means) + spread, np.array(failed or [0] * len(means)), left_out)
+    return Ranks(list(names), np.array(means) + spread, np.array(failed or [0] * len(means)), left_out,
+                 [*range(blocks)])  # fmt: skip
 
 
 def place(rank, strategies=4):
@@ -107,7 +108,7 @@ class Diagram(unittest.TestCase):
         with self.assertRaisesRegex(InputError, "depth: 1 blocks in which each of 4 strategies has a value"):
             compose(made_up([1.2, 3.9, 2.1, 2.8], blocks=1), "depth")
         with self.assertRaisesRegex(InputError, "3 strategies or more"):
-            compose(Ranks(["a", "b"], np.array([[1.0, 2]] * 5), np.array([0, 0]), 0), "depth")
+            compose(Ranks(["a", "b"], np.array([[1.0, 2]] * 5), np.array([0, 0]), 0, [*range(5)]), "depth")
 
 
 class Files(unittest.TestCase):
