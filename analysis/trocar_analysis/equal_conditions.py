@@ -71,7 +71,7 @@ def equal_conditions(cases: Cases, figures: list[Figure], fewest: int) -> EqualC
         failed = int((table.loc[~is_used, "status"] != "complete").sum())
         notes.append(
             f"{(~is_whole).sum()} of {len(is_whole)} conditions are left out: {lacking}."
-            + (f" {failed} failed cases are among them." if failed else "")
+            + (f" Failed among them: {failed}." if failed else "")
         )
     notes += [f"{said}." for said in why]
     return EqualConditions(names, condition, table[is_used.to_numpy()], int(is_whole.sum()), notes)

@@ -57,7 +57,7 @@ def read_ranking(path: str, asked: Wishes) -> Ranking:
     if len(ranks.blocks) < FEWEST_BLOCKS:
         raise InputError(
             f"{path}: all strategies have a value with one seed on one organ only, and it takes {FEWEST_BLOCKS} or more "
-            "to tell them apart; run more seeds"
+            "to tell them apart; run more seeds" + "".join(f" ({note.rstrip('.')})" for note in equal.notes[:1])
         )
     table = equal.medians(figure)
     table["mean_rank"] = table["label"].map(dict(zip(ranks.strategies, ranks.mean)))
@@ -84,7 +84,7 @@ def counted(number: int, name: str) -> str:
 
 def draw_ranking(ranking: Ranking, files: list[str]) -> None:
     """The critical-difference diagram, into each of the files."""
-    said = " · ".join(filter(None, [", ".join(ranking.only), BETTER[ranking.figure.better]]))
+    said = f"{', '.join(ranking.only) or 'all cases'} · {BETTER[ranking.figure.better]}"
     draw_critical_difference(ranking.ranks, ranking.figure.title, files, said, [*ranking.about, *ranking.cautions])
 
 
@@ -98,7 +98,7 @@ def notes(ranking: Ranking) -> list[str]:
         "too few seeds for intervals" if table["low"].isna().all()
         else "in brackets the 95 % bootstrap interval, seeds drawn within organs"
     )  # fmt: skip
-    lost = f"; {ranks.left_out} more have no value of each strategy" if ranks.left_out else ""
+    lost = f"; {ranks.left_out} left out, where one has no value" if ranks.left_out else ""
     return [
         f"That all rank alike: {p_words(test)} (Friedman, Iman and Davenport), over {len(ranks.blocks)} blocks{lost}.",
         f"Critical difference of mean ranks: {difference:.2f} (Nemenyi, α = {ALPHA:g}).",
