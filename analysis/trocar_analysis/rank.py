@@ -63,7 +63,8 @@ def read_ranking(path: str, asked: Wishes) -> Ranking:
     table["mean_rank"] = table["label"].map(dict(zip(ranks.strategies, ranks.mean)))
     table = table.sort_values("mean_rank", kind="stable", ignore_index=True)
     cautions = cases.cautions([figure], equal.used.index)
-    return Ranking(figure, ranks, table, asked.only, [blocks_words(equal.used, ranks), *equal.notes], cautions)
+    about = [blocks_words(equal.used, ranks), *shapes_words(equal.used), *equal.notes]
+    return Ranking(figure, ranks, table, asked.only, about, cautions)
 
 
 def blocks_words(used: pd.DataFrame, ranks: Ranks) -> str:
@@ -76,6 +77,19 @@ def blocks_words(used: pd.DataFrame, ranks: Ranks) -> str:
     if counts.max() == 1:
         return f"{said}, of one condition."
     return f"{said}, of {n} conditions ({pooled}): strategies are ranked by the mean of their ranks under these."
+
+
+def shapes_words(used: pd.DataFrame) -> list[str]:
+    """A line where several organs are one shape with edges of different length."""
+    organs = pd.Series(used["organ"].unique())
+    shapes = organs.groupby(organs.str.partition("@")[0], sort=False).agg(list)
+    several = [" and ".join(same) for same in shapes if len(same) > 1]
+    if not several:
+        return []
+    return [
+        f"{', '.join(several)}: of one shape, where a seed may be the same place; their blocks may not be independent, and "
+        "differences seem surer than they are. --only organ=… chooses one."
+    ]
 
 
 def counted(number: int, name: str) -> str:

@@ -200,6 +200,14 @@ class Rank(StrategiesTest):
         self.cases = made_up(seeds=2)
         self.assertIn("too few seeds for intervals", " ".join(notes(self.read())))
 
+    def test_organs_of_one_shape_are_told(self):
+        self.cases = made_up(organs=3)
+        self.assertNotIn("of one shape", " ".join(notes(self.read())))
+        for case in self.cases:
+            case["organ"] = {"o0": "sheet@2mm", "o1": "tube@2mm", "o2": "sheet@4mm"}[case["organ"]]
+        self.assertIn("\nsheet@2mm and sheet@4mm: of one shape, where a seed may be the same place;", plain_text(self.read()))
+        self.assertNotIn("of one shape", plain_text(self.read(only=["organ=sheet@2mm", "organ=tube@2mm"])))
+
     def test_times_of_several_machines_are_warned_of(self):
         for number, case in enumerate(self.cases):
             case["provenance_row"] = number % 2
