@@ -98,8 +98,11 @@ def counted(number: int, name: str) -> str:
 
 def draw_ranking(ranking: Ranking, files: list[str]) -> None:
     """The critical-difference diagram, into each of the files."""
-    said = f"{', '.join(ranking.only) or 'all cases'} · {BETTER[ranking.figure.better]}"
-    draw_critical_difference(ranking.ranks, ranking.figure.title, files, said, [*ranking.about, *ranking.cautions])
+    figure = ranking.figure
+    said = f"{', '.join(ranking.only) or 'all cases'} · {BETTER[figure.better]}"
+    if figure.title != figure.name:
+        said = f"{figure.name} · {said}"
+    draw_critical_difference(ranking.ranks, figure.title, files, said, [*ranking.about, *ranking.cautions])
 
 
 def notes(ranking: Ranking) -> list[str]:

@@ -288,6 +288,14 @@ class Rank(StrategiesTest):
             self.assertTrue(page.x0 <= box.x0 and box.x1 <= page.x1 and page.y0 <= box.y0 and box.y1 <= page.y1)
             self.assertFalse([other for other in boxes[:number] if box.overlaps(other)])
 
+    def test_a_title_in_words_has_the_figure_beside_it(self):
+        svg = self.folder / "a.svg"
+        for case in self.cases:
+            case["facets_crossing_d_mean"] = case[DEPTH]
+        draw_ranking(self.read("facets_crossing_d_mean", better={"facets_crossing": "low"}), [str(svg)])
+        self.assertIn(">Organ facets that cross the tool's surface<", svg.read_text())
+        self.assertIn(">facets_crossing_d_mean · all cases · lower is better<", svg.read_text())
+
     def test_a_picture_that_cannot_be_written(self):
         with self.assertRaisesRegex(InputError, "cannot be written"):
             draw_ranking(self.read(), [str(self.folder / "none" / "a.svg")])
