@@ -345,6 +345,9 @@ def let_go_of_output() -> None:
 
 
 def main() -> int:
+    if sys.stdout is None:  # it was closed
+        print("trocar: standard output is closed: nothing can be shown", file=sys.stderr)
+        return 2
     sys.stdout.reconfigure(errors="replace")  # a terminal that cannot show "µ" shows "?"
     try:
         return run()

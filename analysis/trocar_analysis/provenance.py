@@ -8,12 +8,13 @@ from pandas.api.types import is_integer_dtype
 from .errors import InputError
 from .table import Column, in_one_line, markdown, number
 
-PROGRAM = ("git_commit", "git_dirty", "compiler", "flags", "build_type", "libraries")
+PROGRAM = ("build_id", "git_commit", "git_dirty", "compiler", "flags", "build_type", "libraries")
 MACHINE = ("host", "cpu", "cores", "governor", "kernel")
 
 # What makes times incomparable: in a table of one file, whose cases should come from one program, and between
 # the programs of two files, which are meant to differ.
 IN_ONE_FILE = (*PROGRAM, "host", "cpu")
+NAMES = ("git_commit", "git_dirty")  # of a program: two commits may make the same one, and one with changes several
 BETWEEN_FILES = ("cpu", "host", "build_type", "flags")
 
 
@@ -22,14 +23,16 @@ def origins(cases: pd.DataFrame, provenance: pd.DataFrame, path: str) -> pd.Data
     if provenance.empty or "provenance_row" not in cases:
         return pd.DataFrame(index=cases.index)
     rows = cases["provenance_row"]
+    builds = cases[["build_id"]] if "build_id" in cases else cases[[]]
     if not is_integer_dtype(rows) or not rows.between(0, len(provenance) - 1).all():
         raise InputError(f"{path}: is damaged: provenance_row points to no row of /provenance")
-    return provenance.iloc[rows].set_index(cases.index)
+    return builds.join(provenance.iloc[rows].set_index(cases.index))
 
 
 def differing(origin: pd.DataFrame, facts: tuple[str, ...]) -> list[str]:
-    """Those of `facts` that are not the same for all cases."""
-    return [name for name in facts if name in origin and origin[name].nunique() > 1]
+    """Those of `facts` that are not the same for all cases; of a program whose build is known not its names."""
+    known = [name for name in facts if name in origin and not (name in NAMES and "build_id" in origin)]
+    return [name for name in known if origin[name].nunique() > 1]
 
 
 def is_time(figure: str) -> bool:
@@ -74,7 +77,8 @@ def provenance_text(path: str, origin: pd.DataFrame, style: str) -> str:
         cells = {name: [(in_one_line(number(value)), "") for value in groups[name]] for name in groups}
         columns = [Column((name, ""), "", True, cells[name]) for name in groups]
         return markdown(columns) + "".join(f"\n- {line}\n" for line in lines)
-    programs = origin[[name for name in PROGRAM if name in origin]].drop_duplicates()
+    told = [name for name in PROGRAM if name in origin and not (name in NAMES and "build_id" in origin)]
+    programs = origin[told].drop_duplicates()
     machines = origin[[name for name in ("host", "cpu") if name in origin]].drop_duplicates()
     heading = f"{path}: {len(origin)} cases, {count(programs, 'program')}, {count(machines, 'machine')}"
     blocks = [heading, *lines]

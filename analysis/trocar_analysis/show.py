@@ -36,20 +36,24 @@ class Contents:
     cases: pd.DataFrame
     origin: pd.DataFrame  # how each of them was run (see provenance.origins)
     units: dict[str, str]
+    part: list[str]  # a line that says so where the file holds only a part of its sweep
 
 
 def read_cases(path: str) -> Contents:
     with ResultFile(path) as results:
         cases, provenance, units = results.cases_table(), results.provenance_table(), results.units()
+        whole = results.sweep_cases()
     if cases.empty:
         raise InputError(f"{path}: has no cases")
-    return Contents(cases, origins(cases, provenance, path), units)
+    is_part = whole is not None and len(cases) < whole
+    part = [f"the file holds {len(cases)} of the sweep's {whole} cases; trocar run runs the others"] if is_part else []
+    return Contents(cases, origins(cases, provenance, path), units, part)
 
 
 def show_cases(path: str, wishes: Wishes) -> str:
     """The table of a result file's cases."""
     contents = read_cases(path)
-    return show(path, contents.cases, contents.units, CASES, wishes, contents.origin)
+    return show(path, contents.cases, contents.units, CASES, wishes, contents.origin, contents.part)
 
 
 def show_states(path: str, wishes: Wishes) -> str:
@@ -97,7 +101,7 @@ def chosen_rows(
 
 def show(
     path: str, rows: pd.DataFrame, units: dict[str, str], subject: Subject, wishes: Wishes,
-    origin: pd.DataFrame | None = None,
+    origin: pd.DataFrame | None = None, part: list[str] | None = None,
 ) -> str:  # fmt: skip
     figures = choose_figures(rows, wishes.metrics, subject)
     rows, known = chosen_rows(path, rows, subject, wishes)
@@ -108,15 +112,16 @@ def show(
     has_times = origin is not None and any(map(is_time, figures))
     times = "times" if wishes.style == "csv" else f"times ({INCOMPARABLE})"
     caution = warning(origin.loc[rows.index], times) if has_times else []
+    to_say = [*(part or []), *caution]
     summary["comparable"] = [not (caution and is_time(name)) for name in summary["metric"]]
     if wishes.style == "csv":
-        print(*caution, sep="\n", end="\n" if caution else "", file=sys.stderr)
+        print(*to_say, sep="\n", end="\n" if to_say else "", file=sys.stderr)
         return summary.to_csv(index=False)
     what = count_of_cases(rows) if subject is CASES else count_of_states(rows)
-    heading = [f"{path}: {what}", *shared_conditions(rows, keys, units), *caution]
+    heading = [f"{path}: {what}", *shared_conditions(rows, keys, units), *to_say]
     below = notes(subject.count(rows)[0], figures, subject)
     if wishes.style == "markdown":
-        below = [*caution, *below]
+        below = [*to_say, *below]
     return render(summary, keys, figures, units, subject, heading, below, wishes.style, wishes.width)
 
 

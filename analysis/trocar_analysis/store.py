@@ -89,9 +89,9 @@ class ResultFile:
         version = self._file.attrs.get("schema_version")
         if version is None or not isinstance(self._file.get("cases"), h5py.Group):
             raise InputError(f"{self.path}: is no Trocar result (it has no schema_version or no /cases)")
-        if int(version) != SCHEMA_VERSION:
+        if version != SCHEMA_VERSION:
             raise InputError(
-                f"{self.path}: was written with schema {int(version)}, this program reads schema "
+                f"{self.path}: was written with schema {one_line(version)}, this program reads schema "
                 f"{SCHEMA_VERSION}; use the trocar that wrote it, or run the sweep again"
             )
         if self._file.attrs.get("complete") != 1:
@@ -126,6 +126,11 @@ class ResultFile:
         """/provenance: how cases were run, each distinct way once; their column provenance_row numbers its rows.
         Empty when the file has none."""
         return self._table("provenance")
+
+    def sweep_cases(self) -> int | None:
+        """How many cases the whole sweep has, of which the file may hold a part; None where it does not say."""
+        count = self._file.attrs.get("sweep_cases")
+        return None if count is None else int(count)
 
     def units(self) -> dict[str, str]:
         """The unit of each column of /cases and /states; "" for text and plain numbers."""
@@ -284,5 +289,5 @@ def text(value: object) -> str:
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
-def one_line(error: BaseException) -> str:
+def one_line(error: object) -> str:
     return " ".join(str(error).split())

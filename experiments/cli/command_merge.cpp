@@ -9,6 +9,7 @@
 
 #include "experiments/cli/commands.h"
 #include "experiments/run/merge_results.h"
+#include "experiments/say.h"
 
 namespace trocar {
 namespace {
@@ -16,11 +17,13 @@ namespace {
 constexpr const char* footer =
     "A folder stands for the result files (*.h5) in it, such as the parts that a run left. Of a case that "
     "several\n"
-    "files hold, the one that ended last is taken. OUT.h5 is replaced when the new one is whole; one that "
+    "files hold, a complete one is taken before one that is not, of one program the one that has more, else "
+    "the\n"
+    "one that ended last. OUT.h5 is replaced when the new one is whole; one that "
     "holds\n"
     "cases which no input holds is left as it is. What is missing, trocar run SWEEP -o OUT.h5 runs.\n"
     "Exit codes: 0 every case of the sweep is there and complete; 2 bad usage or input, nothing written;\n"
-    "3 a case is missing or did not complete.\n"
+    "3 a case is missing or did not complete, or OUT.h5 cannot be written.\n"
     "Example:\n"
     "  trocar run sweep.toml -o one.h5 --shard 1/2      # on one machine\n"
     "  trocar run sweep.toml -o two.h5 --shard 2/2      # on another\n"
@@ -46,9 +49,15 @@ bool tell_missing(const MergeOutcome& outcome) {
 
 int run_merge(const MergeOptions& options) {
     const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
-    const MergeOutcome outcome =
-        merge_results(inputs, options.out, options.tables_only ? Merged::tables : Merged::everything);
-    for (const std::string& line : outcome.warnings) fmt::print(stderr, "{}\n", line);
+    MergeOutcome outcome;
+    try {
+        outcome =
+            merge_results(inputs, options.out, options.tables_only ? Merged::tables : Merged::everything);
+    } catch (const StoreError& error) {
+        say("trocar: {}\nnothing was merged; the inputs are as they were\n", error.what());
+        return ExitCode::case_failed;
+    }
+    for (const std::string& line : outcome.warnings) say("{}\n", line);
     std::string counts;
     for (const auto& [status, count] : outcome.by_status)
         counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, status);

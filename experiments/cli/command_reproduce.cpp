@@ -25,6 +25,7 @@
 #include "experiments/run/provenance.h"
 #include "experiments/run/run_sweep.h"
 #include "experiments/run/workers/memory_use.h"
+#include "experiments/say.h"
 #include "experiments/sweep/hash.h"
 #include "experiments/turns/turns.h"
 #include "results/store.h"
@@ -106,7 +107,7 @@ bool run_sweeps(const ReproduceOptions& options, const ClaimsPlan& plan, const P
         if (one.cases.empty()) continue;
         const RunRequest request = request_of(one, common);
         const auto start = std::chrono::steady_clock::now();
-        fmt::print(stderr, "{}: {} cases\n", one.sweep.name, request.cases.size());
+        say("{}: {} cases\n", one.sweep.name, request.cases.size());
         RunOutcome outcome;
         {
             Progress progress(stderr);
@@ -114,10 +115,10 @@ bool run_sweeps(const ReproduceOptions& options, const ClaimsPlan& plan, const P
                 request, [&](std::size_t done, std::size_t total) { progress.show(done, total); },
                 signals.token());
         }
-        for (const std::string& line : outcome.failures) fmt::print(stderr, "{}\n", line);
+        for (const std::string& line : outcome.failures) say("{}\n", line);
         const auto wall = std::chrono::steady_clock::now() - start;
-        fmt::print(stderr, "{}: {} from an earlier run, {} run in {}\n", one.sweep.name, outcome.kept,
-                   outcome.ran, duration_text(std::chrono::round<std::chrono::seconds>(wall)));
+        say("{}: {} from an earlier run, {} run in {}\n", one.sweep.name, outcome.kept, outcome.ran,
+            duration_text(std::chrono::round<std::chrono::seconds>(wall)));
         if (outcome.interrupted) return false;
     }
     return true;
@@ -160,17 +161,16 @@ int reproduce(const ReproduceOptions& options, const Program& program) {
         options.claims_file.empty() ? find_shipped("experiments/claims.toml") : fs::path(options.claims_file);
     const ClaimsPlan plan = make_plan(options, claims_file);
     if (const int code = check_conditions(claims_file); code != ExitCode::done) return code;
-    for (const std::string& line : plan.left_out) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : plan.left_out) say("{}\n", line);
     try {
         if (!run_sweeps(options, plan, program)) {
-            fmt::print(stderr, "interrupted; the same command goes on from here\n");
+            say("interrupted; the same command goes on from here\n");
             return ExitCode::interrupted;
         }
         if (plan.needs_turns) run_turns(options, plan);
     } catch (const StoreError& error) {
-        fmt::print(stderr,
-                   "trocar: {}\nfinished cases are kept; once it can be written, the same command goes on\n",
-                   error.what());
+        say("trocar: {}\nfinished cases are kept; once it can be written, the same command goes on\n",
+            error.what());
         return ExitCode::case_failed;
     }
     return judge(options, plan, claims_file);

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 #include <set>
@@ -23,6 +25,7 @@
 #include "experiments/run/provenance.h"
 #include "experiments/run/run_sweep.h"
 #include "experiments/run/workers/memory_use.h"
+#include "experiments/say.h"
 #include "experiments/sweep/hash.h"
 #include "experiments/sweep/shard.h"
 #include "results/store.h"
@@ -69,12 +72,12 @@ struct RunOptions {
 void tell_findings(const Sweep& sweep) {
     for (const OrganChoice& organ : sweep.organs) {
         for (const Finding& finding : organ.findings) {
-            fmt::print(stderr, "organ \"{}\": {}\n", organ.organ->name, describe(finding));
+            say("organ \"{}\": {}\n", organ.organ->name, describe(finding));
         }
     }
     for (const ToolChoice& tool : sweep.tools) {
         for (const Finding& finding : tool.findings) {
-            fmt::print(stderr, "tool \"{}\": {}\n", tool.tool->name, describe(finding));
+            say("tool \"{}\": {}\n", tool.tool->name, describe(finding));
         }
     }
 }
@@ -105,7 +108,7 @@ RunRequest make_request(const RunOptions& options, const Sweep& sweep, const Pro
     for (const CaseInputs& inputs : request.cases) request.case_order.push_back(inputs.case_id);
     request.header.sweep_cases = whole_list(suited(request.cases).cases);
     SuitedCases suited_cases = suited(only(std::move(request.cases), options.filters));
-    for (const std::string& line : suited_cases.left_out) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : suited_cases.left_out) say("{}\n", line);
     if (suited_cases.cases.empty()) throw InputError("no case is left to run");
     request.cases = std::move(suited_cases.cases);
     if (!options.shard.empty())
@@ -148,7 +151,7 @@ int exit_code_of(const RunOutcome& outcome) {
 }
 
 void print_outcome(const RunOutcome& outcome, const RunRequest& request, std::chrono::seconds wall) {
-    for (const std::string& line : outcome.failures) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : outcome.failures) say("{}\n", line);
     std::string counts;
     std::size_t stored = 0;
     for (const auto& [status, count] : outcome.by_status) {
@@ -166,8 +169,7 @@ void print_outcome(const RunOutcome& outcome, const RunRequest& request, std::ch
                    fresh_parts_folder_of(request.out).string());
         return;
     }
-    for (const std::string& line : mixed_origins(read_contents(request.out).cases))
-        fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : mixed_origins(read_contents(request.out).cases)) say("{}\n", line);
     fmt::print("result file: {}\n", request.out.string());
     if (!outcome.xdmf.empty()) fmt::print("for ParaView: {}\n", outcome.xdmf.string());
     fmt::print("look at it: trocar show {}\n", request.out.string());
@@ -178,9 +180,9 @@ void tell_unwritten(const RunRequest& request, const StoreError& error) {
     const auto parts = request.fresh ? fresh_parts_folder_of(request.out) : parts_folder_of(request.out);
     std::error_code gone;
     const bool kept = std::filesystem::exists(parts, gone);
-    fmt::print(stderr, "trocar: {}\n{}; once it can be written, the same command goes on\n", error.what(),
-               kept ? fmt::format("finished cases are kept in {}", parts.string())
-                    : fmt::format("no case is kept that is not in {}", request.out.string()));
+    say("trocar: {}\n{}; once it can be written, the same command goes on\n", error.what(),
+        kept ? fmt::format("finished cases are kept in {}", parts.string())
+             : fmt::format("no case is kept that is not in {}", request.out.string()));
 }
 
 int run(const RunOptions& options, const Program& program) {
@@ -211,6 +213,14 @@ int run(const RunOptions& options, const Program& program) {
     return exit_code_of(outcome);
 }
 
+/// CLI11's own check lets NaN and infinity pass.
+std::string above_zero(const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    const bool is_number = !text.empty() && *end == '\0' && std::isfinite(number);
+    return is_number && number > 0 ? "" : fmt::format("{}: expected a number above zero", text);
+}
+
 }  // namespace
 
 void add_run(CLI::App& app, Program& program) {
@@ -226,20 +236,21 @@ void add_run(CLI::App& app, Program& program) {
     command
         ->add_option(
             "--only", options->filters,
-            "key=value: run these cases only. Keys: strategy (name or label), organ, tool, scene, speed, "
+            "key=value: run these cases only. Keys: strategy (name or label), label, organ, tool, scene, "
+            "speed, "
             "seed, rate, release, edge_stiffness, rest_stiffness, an option's name. May be given several "
             "times: values of one key are alternatives")
         ->allow_extra_args(false);
     command
         ->add_option("--case-seconds", options->case_seconds,
                      "a case that takes longer is given up: status timed_out")
-        ->check(CLI::PositiveNumber)
+        ->check(above_zero)
         ->capture_default_str();
     command
         ->add_option("--case-gigabytes", options->case_gigabytes,
                      "a case that takes more memory is given up: status out_of_memory; without it its "
                      "job's share of what the machine has")
-        ->check(CLI::PositiveNumber);
+        ->check(above_zero);
     command->add_flag("--timing", options->timing,
                       "one case at a time on one core, strategies taking turns: for times that can be "
                       "compared");

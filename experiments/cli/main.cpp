@@ -13,6 +13,7 @@
 #include "experiments/cli/commands.h"
 #include "experiments/input_error.h"
 #include "experiments/run/build_info.h"
+#include "experiments/say.h"
 
 namespace {
 
@@ -76,7 +77,7 @@ int main(int argc, char** argv) {
     try {
         return run_program(argc, argv);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "trocar: {}\n", error.what());
+        trocar::say("trocar: {}\n", error.what());
         return trocar::ExitCode::bad_input;
     }
 }

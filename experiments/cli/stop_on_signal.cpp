@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "experiments/say.h"
+
 namespace trocar {
 namespace {
 
@@ -31,7 +33,7 @@ void StopOnSignal::wait(const std::stop_token& over) {
     while (!over.stop_requested()) {
         if (sigtimedwait(&signals_, nullptr, &patience) < 0) continue;
         stop_.request_stop();
-        fmt::print(stderr, "\nstopping; finished cases are kept\n");
+        say("\nstopping; finished cases are kept\n");
         pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);  // from now on a signal has its usual effect
         return;
     }

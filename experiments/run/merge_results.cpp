@@ -1,6 +1,7 @@
 #include "experiments/run/merge_results.h"
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -82,10 +83,27 @@ CampaignHeader common_header(const std::vector<fs::path>& files, const std::vect
     return header;
 }
 
-/// Of two results of a case, whether the later input's is taken.
+/// Whether a result has all that another of the same build has, or more.
+bool has_all_of(const Contents::Case& one, const Contents::Case& other) {
+    const auto names = [](const std::string& metrics) {
+        std::set<std::string> set;
+        for (const auto name : std::views::split(metrics, ',')) set.emplace(name.begin(), name.end());
+        return set;
+    };
+    return one.has_series >= other.has_series && one.has_replay >= other.has_replay &&
+           std::ranges::includes(names(one.metrics), names(other.metrics));
+}
+
+/// Of two results of a case, whether the later input's is taken: a complete one before one that is not; of
+/// one build the one that has more, for they are the same bits; else the one that ended last.
 bool is_taken(const Contents::Case& later, const Contents::Case& earlier) {
-    if (later.end != earlier.end) return later.end > earlier.end;
-    return later.has_series || !earlier.has_series;
+    const bool is_complete = later.status == "complete";
+    if (is_complete != (earlier.status == "complete")) return is_complete;
+    if (is_complete && later.build_id == earlier.build_id) {
+        const bool has_more = has_all_of(later, earlier), has_less = has_all_of(earlier, later);
+        if (has_more != has_less) return has_more;
+    }
+    return later.end >= earlier.end;
 }
 
 /// Each case once, in the order in which the inputs name it; counts those left out.

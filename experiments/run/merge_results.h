@@ -24,11 +24,12 @@ struct MergeOutcome {
 };
 
 /// Merges result files of one sweep into `out`, in the sweep's order. Inputs are result files, and folders of
-/// which every file *.h5 is one, such as the parts that a run left. Of a case that is in several of them the
-/// one that ended last is taken, of equal times the one named last. `out` appears when it is whole; one that
-/// is there is replaced if the inputs hold all of its cases. Throws InputError when an input is no result
-/// file, of another schema or sweep, or when `out` would lose something or is being written; StoreError when
-/// writing fails.
+/// which every file *.h5 is one, such as the parts that a run left. Of a case that is in several of them a
+/// complete one is taken before one that is not; of one build the one that has more metrics, series or a
+/// replay; else the one that ended last, of equal times the one named last. `out` appears when it is whole;
+/// one that is there is replaced if the inputs hold all of its cases. Throws InputError when an input is no
+/// result file, of another schema or sweep, or when `out` would lose something or is being written;
+/// StoreError when writing fails.
 MergeOutcome merge_results(std::span<const std::filesystem::path> inputs, const std::filesystem::path& out,
                            Merged what = Merged::everything);
 

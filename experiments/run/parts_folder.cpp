@@ -59,8 +59,9 @@ PartsFolder::~PartsFolder() {
 void PartsFolder::clear() const {
     std::error_code gone;  // what is left is found to be done by the next run
     for (const auto& folder : {folder_, own_}) {
-        for (const auto& entry : std::filesystem::directory_iterator(folder, gone))
-            std::filesystem::remove_all(entry, gone);
+        for (const auto& entry : std::filesystem::directory_iterator(folder, gone)) {
+            if (entry.path().extension() == ".h5") std::filesystem::remove(entry, gone);
+        }
     }
 }
 

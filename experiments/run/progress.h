@@ -24,6 +24,7 @@ class Progress {
     void show(std::size_t done, std::size_t total);
 
   private:
+    void write(const std::string& text) const;
     void show_bar(std::size_t done, std::size_t total, const std::string& left);
 
     std::FILE* stream_;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "experiments/input_error.h"
 #include "experiments/run/batches.h"
 #include "experiments/run/done_cases.h"
 #include "experiments/run/parts_folder.h"
@@ -87,8 +88,7 @@ void store_case(CaseRecord& record, const RunRequest& request, const std::filesy
     write_case(file, request.header, record);
 }
 
-/// Brings everything that is done into `out`, unless it is there already. A case that the sweep no longer has
-/// (its mesh file has changed) is left behind.
+/// Brings everything that is done into `out`, unless it is there already.
 void merge_done(const RunRequest& request, const DoneCases& done) {
     std::map<std::filesystem::path, std::set<std::string>> ids_of_file;
     std::vector<std::string> order;
@@ -116,10 +116,26 @@ std::filesystem::path write_xdmf_beside(const RunRequest& request, const DoneCas
     return xdmf;
 }
 
+/// Throws InputError where something is done that is no case of the sweep: its text is the same, but a file
+/// that it names is not. Running would lose it.
+void check_known(const RunRequest& request, const DoneCases& done) {
+    const std::set<std::string> known(request.case_order.begin(), request.case_order.end());
+    const auto lost =
+        std::ranges::count_if(done, [&](const auto& entry) { return !known.contains(entry.first); });
+    if (lost == 0) return;
+    throw InputError(
+        fmt::format("{}: holds {} cases that this sweep does not have: a file that it names (a mesh, a "
+                    "recording, rules) has changed since; choose another output, or --fresh to start over",
+                    request.out.string(), lost));
+}
+
 /// What earlier runs left that this one need not do.
 DoneCases find_kept_cases(const RunRequest& request) {
     const std::string& sweep = request.header.sweep_hash;
-    return request.fresh ? find_fresh_parts(request.out, sweep) : find_done_cases(request.out, sweep);
+    if (request.fresh) return find_fresh_parts(request.out, sweep);
+    DoneCases done = find_done_cases(request.out, sweep);
+    check_known(request, done);
+    return done;
 }
 
 }  // namespace
@@ -166,7 +182,7 @@ class PendingRun {
         try {
             supervise(
                 batches_of(pending_, workers), workers, request_.limits, stop,
-                [&](const Batch& batch, const ReportDone& report) { work(batch, report); }, listener);
+                [&](const Batch& batch, const Reports& report) { work(batch, report); }, listener);
         } catch (const WorkerError& error) {
             throw StoreError(error.what());
         }
@@ -175,19 +191,38 @@ class PendingRun {
 
   private:
     /// In a worker.
-    void work(const Batch& batch, const ReportDone& report) const {
+    void work(const Batch& batch, const Reports& report) const {
         if (request_.timing) stay_on_one_core();
         SharedScenes scenes{std::span(pending_).subspan(batch.begin, batch.end - batch.begin)};
         const SceneSource scene_of = [&](const CaseInputs& inputs) { return scenes.scene_of(inputs); };
         for (std::uint64_t task = batch.begin; task < batch.end; ++task) {
-            const CaseInputs& inputs = pending_[task];
+            const bool is_first = task == batch.begin;
+            CaseOptions options = options_[task];
+            options.not_asked = is_first ? batch.left_out : 0;
+            options.asking = report.part;
             const std::string start = now_utc();
-            const auto strategy = request_.make(inputs.strategy);
-            const std::uint64_t attempt = task == batch.begin ? batch.attempt : 1;
-            std::optional<CaseRecord> record = run_case(inputs, scene_of, *strategy, options_[task], {});
-            if (!record) return;  // it was asked to stop, which nobody does here
-            report(store(task, std::move(*record), attempt, start));
+            CaseRecord record = run_one(pending_[task], scene_of, options);
+            report.done(store(task, std::move(record), is_first ? batch.attempt : 1, start));
         }
+    }
+
+    /// The strategy is made and gone before the case is reported, so that what it does then is its own
+    /// case's.
+    static CaseRecord run_one(const CaseInputs& inputs, const SceneSource& scene_of,
+                       const CaseOptions& options) {
+        std::unique_ptr<Strategy> strategy;
+        std::string reason = "something that is no std::exception was thrown";
+        try {
+            strategy = options.make(inputs.strategy);
+        } catch (const std::exception& error) {
+            reason = error.what();
+        } catch (...) {
+        }
+        if (!strategy) {
+            return lost_case(inputs, options, CaseStatus::failed,
+                             fmt::format("the strategy cannot be made: {}", reason), 0);
+        }
+        return *run_case(inputs, scene_of, *strategy, options, {});  // always: nobody asks it to stop
     }
 
     std::string store_lost(const LostTask& lost) const {
@@ -244,8 +279,8 @@ RunOutcome run_sweep(const RunRequest& request,
                      const std::function<void(std::size_t, std::size_t)>& on_progress,
                      const std::stop_token& stop) {
     const PartsFolder parts(request.out, request.fresh ? PartsOf::fresh_run : PartsOf::any_run);
-    const DoneCases before = find_done_cases(request.out, request.header.sweep_hash);
-    DoneCases done = request.fresh ? find_kept_cases(request) : before;
+    DoneCases done = find_kept_cases(request);
+    const DoneCases before = request.fresh ? find_done_cases(request.out, request.header.sweep_hash) : done;
     RunOutcome outcome;
     PendingRun(request, done, parts.path(), on_progress).run(outcome, stop);
     std::ranges::sort(outcome.failures);

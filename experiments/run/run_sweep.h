@@ -34,10 +34,6 @@ struct RunRequest {
     /// fresh run starts over, even if this one was killed before it could remove the folder.
     bool fresh = false;
     std::vector<std::string> arguments;  ///< the command line, for the provenance
-    /// How a case's strategy is made.
-    std::function<std::unique_ptr<Strategy>(const StrategyChoice&)> make = [](const StrategyChoice& choice) {
-        return make_strategy(choice.name, choice.options);
-    };
 };
 
 /// How a sweep ended.

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <exception>
 #include <iterator>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -17,6 +19,10 @@
 
 namespace trocar {
 namespace {
+
+constexpr std::size_t most_parts = 64;  // of a task, that can be left out
+constexpr const char* ended_process =
+    "it ended the process when it was asked, or took more than a case may take";
 
 /// The first 64 bits of a hash.
 std::uint64_t leading_bits(const std::string& hash) {
@@ -59,7 +65,7 @@ Judged answer_of(const FoundState& state, const StrategyChoice& choice, const Ca
     Judged judged = state.judged;
     const PlacedTool tool(judged.tool().tool(), judged.at(Moment::before).pose());
     const Contact contact = contact_of(state, tool, cycle);
-    const auto strategy = make_strategy(choice.name, choice.options);
+    const auto strategy = options.make(choice);
     if (choice.label != own) handle(contact, *strategy, judged);
     // Also of the run's own: in a step that was not sampled it was not asked.
     if (need_shifts(options.metrics)) {
@@ -69,12 +75,25 @@ Judged answer_of(const FoundState& state, const StrategyChoice& choice, const Ca
     return judged;
 }
 
-std::vector<Cell> row(const FoundState& state, const StrategyChoice& choice, const CaseOptions& options,
+/// Whether the strategy was not asked because that ended the process before.
+bool is_left_out(std::size_t number, const CaseOptions& options) {
+    return number < most_parts && (options.not_asked >> number & 1U) != 0;
+}
+
+void tell_asking(const CaseOptions& options, std::optional<std::size_t> number) {
+    if (options.asking && (!number || *number < most_parts)) options.asking(number);
+}
+
+/// Of the strategy of that number in `answering`.
+std::vector<Cell> row(const FoundState& state, std::size_t number, const CaseOptions& options,
                       const std::string& own, const CycleSettings& cycle) {
+    const StrategyChoice& choice = options.answering[number];
     const std::vector<Reading> readings = handled_readings(options.metrics);
     std::vector<Measured> values(readings.size(), Missing::no_answer);
     std::string reason;
     try {
+        if (is_left_out(number, options)) throw std::runtime_error(ended_process);
+        tell_asking(options, choice.label == own ? std::nullopt : std::optional(number));
         values = values_of(readings, answer_of(state, choice, options, own, cycle));
     } catch (const std::bad_alloc&) {
         throw;
@@ -139,9 +158,9 @@ std::vector<std::vector<Cell>> compare_on(const std::vector<FoundState>& states,
                                           const std::string& own, const CycleSettings& cycle) {
     std::vector<std::vector<Cell>> rows;
     for (const FoundState& state : states) {
-        for (const StrategyChoice& choice : options.answering) {
-            rows.push_back(row(state, choice, options, own, cycle));
-        }
+        for (std::size_t k = 0; k < options.answering.size(); ++k)
+            rows.push_back(row(state, k, options, own, cycle));
+        tell_asking(options, std::nullopt);
     }
     return rows;
 }

@@ -45,6 +45,9 @@ void check_keys(const ConfigTable& table, std::string_view kind, std::span<const
 const std::string& as_text(const ConfigValue& value, std::string_view what) {
     const auto& text = as<std::string>(value, what, "a text in quotes");
     if (text.empty()) throw PlacedError(value.place, fmt::format("{} is empty", what));
+    // They would split the rows of tables, or command the reader's terminal.
+    if (std::ranges::any_of(text, [](unsigned char c) { return c < ' ' || c == 127; }))
+        throw PlacedError(value.place, fmt::format("{} has a control character, such as a line break", what));
     return text;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Those that every case has, then the options of the cases' strategies.
 std::vector<std::string> filter_keys(const std::vector<CaseInputs>& cases) {
-    std::vector<std::string> keys{"strategy", "organ", "tool",    "scene",          "speed",
+    std::vector<std::string> keys{"strategy", "label", "organ",   "tool",           "scene",         "speed",
                                   "seed",     "rate",  "release", "edge_stiffness", "rest_stiffness"};
     std::set<std::string> options;
     for (const CaseInputs& inputs : cases) {
@@ -27,6 +27,7 @@ std::vector<std::string> filter_keys(const std::vector<CaseInputs>& cases) {
 /// What a filter of that key is compared with.
 std::vector<std::string> values_of(const CaseInputs& inputs, std::string_view key) {
     if (key == "strategy") return {inputs.strategy.name, inputs.strategy.label};
+    if (key == "label") return {inputs.strategy.label};
     if (key == "organ") return {inputs.organ.organ->name};
     if (key == "tool") return {inputs.tool.tool->name};
     if (key == "scene") return {inputs.scene.name};

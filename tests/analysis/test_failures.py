@@ -74,11 +74,21 @@ class Provenance(ProgramTest):
         self.assertIn("different machines (host)", text)
 
     def test_what_makes_times_incomparable(self):
-        for name in ("git_commit", "compiler", "flags", "build_type", "libraries", "host", "cpu", "case_id"):
+        for name in ("compiler", "flags", "build_type", "libraries", "host", "cpu", "case_id"):
             with self.subTest(name):
                 self.write(row(), row(**{name: "y"}))
                 text = show_cases(self.file, Wishes(metrics=["time_handle"]))
                 self.assertEqual("not comparable" in text.split("─")[0], name != "case_id")
+        # A commit is a name. Two may make the same program, and one, with changes that are in none, two programs.
+        for builds, commits, comparable in ((("b", "b"), ("x", "y"), True), (("b", "c"), ("x", "x"), False)):
+            write_results(
+                self.file, [case(k, provenance_row=k, build_id=build) for k, build in enumerate(builds)],
+                provenance=[row(git_commit=commit) for commit in commits],
+            )  # fmt: skip
+            text = show_cases(self.file, Wishes(metrics=["time_handle"]))
+            self.assertEqual("not comparable" not in text.split("─")[0], comparable)
+            programs = "1 program," if comparable else "2 programs,"
+            self.assertIn(programs, self.output_of("show", self.file, "--provenance"))
         self.write(row(), row(host="y"))
         self.assertNotIn("Warning", show_cases(self.file, Wishes(metrics=["depth_max"])))
         markdown = show_cases(self.file, Wishes(metrics=["time_handle"], style="markdown"))

@@ -136,6 +136,15 @@ class Show(ProgramTest):
         self.write([{"case_id": "1", "strategy": "tool-facet"}])
         self.assertIn("tool-facet", self.output_of("show", self.file))
 
+    def test_a_part_of_a_sweep_is_called_one(self):
+        self.write(cases_of("a", 100, [1.0, 2.0]))
+        for whole, said in ((None, False), (2, False), (5, True)):
+            if whole:
+                with h5py.File(self.file, "r+") as file:
+                    file.attrs["sweep_cases"] = whole
+            for style in ((), ("--markdown",)):
+                self.assertEqual("holds 2 of the sweep's 5 cases" in self.output_of("show", self.file, *style), said)
+
     def test_markdown(self):
         self.write(cases_of("a|b", 100, [1.0, 2.0, 3.0]))
         lines = self.output_of("show", self.file, "--markdown", "--metric", "depth_max").splitlines()

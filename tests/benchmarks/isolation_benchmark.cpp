@@ -70,7 +70,7 @@ class Campaign {
     }
 
     /// Does the tasks of a batch as a sweep does: the scene is shared, each case is written as a file.
-    void work(const Batch& batch, const ReportDone& report) const {
+    void work(const Batch& batch, const Reports& report) const {
         SharedScenes scenes{cases().subspan(batch.begin, batch.end - batch.begin)};
         const SceneSource scene_of = [&](const CaseInputs& inputs) { return scenes.scene_of(inputs); };
         const RunRequest header_of = request("", {}, 1);
@@ -79,7 +79,7 @@ class Campaign {
             CaseRecord record = *run_case(cases_[task], scene_of, *strategy, CaseOptions{}, {});
             record.build_id = header_of.build_id;
             write_case(path(cases_[task].case_id), header_of.header, record);
-            report("done");
+            report.done("done");
         }
     }
 
@@ -98,14 +98,15 @@ double milliseconds_of(const auto& action) {
 void isolation(benchmark::State& state) {
     const Campaign campaign;
     const auto batches = batches_of(campaign.cases(), 1);
-    const DoBatch work = [&](const Batch& batch, const ReportDone& report) { campaign.work(batch, report); };
+    const DoBatch work = [&](const Batch& batch, const Reports& report) { campaign.work(batch, report); };
     const Listener listener{.done = [](std::uint64_t, const std::string&) {},
                             .lost = [](const LostTask& lost) { throw std::runtime_error(lost.reason); }};
     double direct = 0, supervised = 0;
     for (auto _ : state) {
         supervised += milliseconds_of([&] { supervise(batches, 1, {}, {}, work, listener); });
         direct += milliseconds_of([&] {
-            for (const Batch& batch : batches) work(batch, [](const std::string&) {});
+            for (const Batch& batch : batches)
+                work(batch, {.done = [](const std::string&) {}, .part = [](auto) {}});
         });
     }
     const double cases =

@@ -1,7 +1,10 @@
 // Strategies that end their process, or never end: each is contained, and the others go on.
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -64,7 +67,7 @@ class Contained : public testing::Test {
         request.options.metrics = choose_metrics("depth_max");
         request.build_id = "build 1";
         request.jobs = 2;
-        request.make = [misbehave](const StrategyChoice& choice) -> std::unique_ptr<Strategy> {
+        request.options.make = [misbehave](const StrategyChoice& choice) -> std::unique_ptr<Strategy> {
             if (choice.name == "nearest-face") return std::make_unique<Misbehaving>(misbehave);
             return make_strategy(choice.name, choice.options);
         };
@@ -145,6 +148,70 @@ TEST_F(Contained, AStrategyThatWritesPastItsSpan) {
                          beyond->x() = 1;
                      }),
                      "crashed", "exit code");
+}
+
+/// Handles as nearest-face does, and misbehaves when it is gone.
+class GoingWithABang : public Misbehaving {
+  public:
+    GoingWithABang() : Misbehaving([](const Contact&, Response&) {}) {}
+    GoingWithABang(const GoingWithABang&) = delete;
+    GoingWithABang& operator=(const GoingWithABang&) = delete;
+    ~GoingWithABang() override { std::abort(); }
+};
+
+TEST_F(Contained, AStrategyThatAbortsWhenItIsGone) {
+    RunRequest going = request({});
+    going.jobs = 1;
+    going.options.make = [](const StrategyChoice& choice) -> std::unique_ptr<Strategy> {
+        if (choice.name == "nearest-face") return std::make_unique<GoingWithABang>();
+        return make_strategy(choice.name, choice.options);
+    };
+    expect_contained(going, "crashed", "signal 6");
+}
+
+TEST_F(Contained, AStrategyThatCannotBeMade) {
+    RunRequest unmade = request({});
+    unmade.options.make = [](const StrategyChoice& choice) -> std::unique_ptr<Strategy> {
+        if (choice.name == "nearest-face") throw std::runtime_error("no licence");
+        return make_strategy(choice.name, choice.options);
+    };
+    expect_contained(unmade, "failed", "the strategy cannot be made: no licence");
+}
+
+TEST_F(Contained, WhatACaseLeavesBehindDoesNotCountAgainstTheNext) {
+    RunRequest leaking = request([](const Contact&, Response&) {
+        static std::vector<std::vector<char>> kept;
+        kept.emplace_back(200'000'000, 'x');
+    });
+    leaking.jobs = 1;
+    leaking.limits.bytes = 300'000'000;
+    EXPECT_THAT(run(leaking).by_status, ElementsAre(Pair("complete", 4)));
+}
+
+/// Of each row of /states who answered, and why not: as Python reads it.
+std::string answers_in(const std::filesystem::path& file) {
+    const std::string script =
+        "import h5py, sys; s = h5py.File(sys.argv[1])['states']; "
+        "print(*sorted(zip(s['label'].asstr()[:], s['reason'].asstr()[:])), sep='\\n')";
+    const std::string command = "/usr/bin/python3 -c \"" + script + "\" '" + file.string() + "'";
+    // A command of the test's own: NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
+    const std::unique_ptr<FILE, int (*)(FILE*)> output(popen(command.c_str(), "r"), &pclose);
+    std::string text;
+    for (int letter = 0; (letter = std::fgetc(output.get())) != EOF;) text += static_cast<char>(letter);
+    return text;
+}
+
+TEST_F(Contained, AStrategyThatAbortsWhenItIsAskedAboutAnothersStates) {
+    RunRequest asked = request([](const Contact&, Response&) { std::abort(); });
+    asked.options.same_state = 2;
+    asked.options.answering = {asked.cases[0].strategy, asked.cases[2].strategy};
+    expect_contained(asked, "crashed", "signal 6");
+    // Its own runs ended before they had states to hand out; the other strategy's have two each.
+    const std::string ended =
+        "('nearest-face', 'it ended the process when it was asked, or took more than a case may take')\n";
+    const std::string answered = "('cylinder-axis', '')\n";
+    EXPECT_EQ(answers_in(asked.out),
+              answered + answered + answered + answered + ended + ended + ended + ended);
 }
 
 TEST_F(Contained, ACaseThatIsKilledFromOutsideIsTriedAgain) {

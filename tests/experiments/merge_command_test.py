@@ -94,6 +94,18 @@ class MergeCommand(ProgramTest):
         self.assertIn("8 of the sweep's 12 cases are missing", result.stdout)
         self.assertIn("4 from an earlier run, 8 run", self.expect_done("run", self.sweep, "-o", self.merged).stdout)
 
+    def test_a_complete_result_is_not_replaced_by_less(self):
+        self.expect_done("run", self.sweep, "-o", self.whole)
+        less, newest = self.folder / "less.h5", ["2100-01-01T00:00:00Z"]
+        self.expect_done("run", self.sweep, "-o", less, "--metrics", "depth_max")
+        with h5py.File(less, "r+") as file:
+            file["cases/status"][3] = "crashed"
+            file["provenance/end"][...] = newest * len(file["provenance/end"])
+        for inputs in ((less, self.whole), (self.whole, less)):
+            self.expect_done("merge", *inputs, "-o", self.merged)
+            self.assertEqual(self.contents(self.merged), self.contents(self.whole))
+            self.merged.unlink()
+
     def test_tables_only_leaves_out_series_and_can_be_made_whole(self):
         tables = self.folder / "tables.h5"
         self.expect_done("run", self.sweep, "-o", self.whole, "--replay")

@@ -6,6 +6,7 @@
 import os
 import signal
 import subprocess
+import time
 
 import h5py
 
@@ -18,6 +19,25 @@ tools = ["prism-6"]
 scenes = ["penetration"]
 speeds = [400]
 seeds = 2
+"""
+
+
+OCTAHEDRON = """OFF
+6 8 0
+0 0 1
+1 0 0
+0 1 0
+-1 0 0
+0 -1 0
+0 0 -1
+3 0 1 2
+3 0 2 3
+3 0 3 4
+3 0 4 1
+3 5 2 1
+3 5 3 2
+3 5 4 3
+3 5 1 4
 """
 
 
@@ -91,6 +111,61 @@ class Resume(ProgramTest):
         self.assertIn(f"{kept} from an earlier run, {20 - kept} run", self.run_sweep("--fresh").stdout)
         self.assertFalse(self.fresh_parts.exists())
         self.assertNotEqual(self.out.read_bytes(), before)
+
+    def test_cases_of_a_mesh_that_has_changed_are_not_lost(self):
+        mesh = self.write("organ.off", OCTAHEDRON)
+        self.sweep.write_text(SWEEP.replace('"sphere@12mm"', '{ file = "organ.off", size = 100 }'))
+        first = self.run_sweep()
+        self.assertEqual(first.returncode, 0, first.stderr)
+        before = self.out.read_bytes()
+        mesh.write_text(OCTAHEDRON + "# the same organ\n")
+        for more in ((), ("--only", "seed=1"), ("--dry-run",)):
+            self.expect_refused("holds 4 cases that this sweep does not have", "run", self.sweep, "-o", self.out, *more)
+        self.assertEqual(self.out.read_bytes(), before)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["organ.off", "out.h5", "sweep.toml"])
+        self.assertEqual(self.run_sweep("--fresh").returncode, 0)
+        self.assertEqual(len(self.column("case_id")), 4)
+
+    def test_files_of_others_in_the_parts_folder_stay(self):
+        theirs = self.folder / "out.h5.parts" / "notes" / "mine.txt"
+        theirs.parent.mkdir(parents=True)
+        theirs.write_text("mine")
+        self.assertEqual(self.run_sweep().returncode, 0)
+        self.assertEqual(theirs.read_text(), "mine")
+        self.assertEqual(os.listdir(theirs.parents[1]), ["notes"])
+
+    def test_a_signal_to_the_whole_job_is_no_crash(self):
+        """As `timeout` and batch systems send it."""
+        self.sweep.write_text(SWEEP.replace("@12mm", "@4mm").replace("seeds = 2", "seeds = 12"))
+        for _ in range(3):
+            process = subprocess.Popen([self.program, "run", self.sweep, "-o", self.out, "-j", "2"],
+                                       stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                       start_new_session=True)  # fmt: skip
+            process.stderr.readline()
+            os.killpg(process.pid, signal.SIGTERM)
+            _, errors = process.communicate(timeout=60)
+            self.assertIn(process.returncode, (0, 130), errors)
+            self.assertNotIn("crashed", errors)
+        self.assertEqual(self.run_sweep().returncode, 0)
+
+    def test_time_in_which_the_job_stands_still_does_not_count(self):
+        self.sweep.write_text(SWEEP.replace("@12mm", "@4mm").replace("seeds = 2", "seeds = 6"))
+        process = subprocess.Popen([self.program, "run", self.sweep, "-o", self.out, "-j", "1", "--case-seconds", "3"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   start_new_session=True)  # fmt: skip
+        process.stderr.readline()
+        os.killpg(process.pid, signal.SIGSTOP)
+        time.sleep(4)
+        os.killpg(process.pid, signal.SIGCONT)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0, errors)
+
+    def test_a_log_on_a_full_disk_stops_nothing(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([self.program, "run", self.sweep, "-o", self.out],
+                                  stdout=subprocess.PIPE, stderr=full, text=True, timeout=60)  # fmt: skip
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("4 complete", done.stdout)
 
     def test_fresh_does_not_write_over_what_is_not_its_own(self):
         self.run_sweep()

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -17,13 +19,18 @@ using Clock = std::chrono::steady_clock;
 
 // How often limits and `stop` are looked at.
 constexpr std::chrono::milliseconds look_interval{50};
+// Later than this means that the whole job stood still: Ctrl-Z, a suspended machine.
+constexpr std::chrono::seconds stood_still{1};
+// Of the memory limit: a worker that holds more of it when a task is done is replaced.
+constexpr std::uint64_t held_part = 4;
 
 /// A worker and what it is at.
 struct Post {
     std::unique_ptr<Worker> worker;
     Batch batch;  ///< what is left of it; its first task is being done
     Clock::time_point since;
-    std::uint64_t bytes_at_start = 0;  ///< that the worker held when it was made
+    std::uint64_t bytes_at_start = 0;   ///< that the worker held when it was made
+    std::optional<std::uint64_t> part;  ///< of the task, that is being done
 
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(Clock::now() - since).count();
@@ -61,6 +68,7 @@ class Supervisor {
         post.batch = batches_.front();
         batches_.pop_front();
         post.since = Clock::now();
+        post.part.reset();
         post.worker->give(post.batch);
     }
 
@@ -71,16 +79,28 @@ class Supervisor {
                 lines.push_back({.fd = post.worker->descriptor(), .events = POLLIN, .revents = 0});
             }
         }
+        const auto before = Clock::now();
         poll(lines.data(), lines.size(), static_cast<int>(look_interval.count()));
+        const auto late = Clock::now() - before - look_interval;
+        if (late < stood_still) return;
+        for (Post& post : posts_) post.since += late;
     }
 
     void look_after(Post& post) {
+        bool has_done_one = false;
         for (const WorkerMessage& message : post.worker->messages()) {
-            if (message.is_error) throw WorkerError(message.text);
+            if (message.kind == WorkerMessage::Kind::error) throw WorkerError(message.text);
+            if (message.kind == WorkerMessage::Kind::part) {
+                post.part.reset();
+                if (!message.text.empty()) post.part = std::stoull(message.text);
+                continue;
+            }
             const std::uint64_t task = post.batch.begin;
+            has_done_one = true;
             next_task(post);
             listener_.done(task, message.text);
         }
+        if (has_done_one && holds_more_than(post, limits_.bytes / held_part)) put_back(post);
         if (post.batch.empty()) return;
         if (post.worker->closed()) {
             const Ending ending = post.worker->end();
@@ -91,22 +111,24 @@ class Supervisor {
             }
         } else if (post.seconds() > limits_.seconds) {
             lose(post, Loss::timed_out, fmt::format("it took longer than {} s", limits_.seconds));
-        } else if (takes_too_much(post)) {
+        } else if (holds_more_than(post, limits_.bytes)) {
             lose(post, Loss::out_of_memory,
                  fmt::format("it took more than {:.3g} GB of memory",
                              static_cast<double>(limits_.bytes) / 1e9));
         }
     }
 
-    [[nodiscard]] bool takes_too_much(const Post& post) const {
+    /// Beyond what it began with.
+    [[nodiscard]] bool holds_more_than(const Post& post, std::uint64_t bytes) const {
         if (limits_.bytes == 0) return false;
-        const std::uint64_t now = memory_use(post.worker->process()).value_or(0);
-        return now > post.bytes_at_start + limits_.bytes;
+        return memory_use(post.worker->process()).value_or(0) > post.bytes_at_start + bytes;
     }
 
     static void next_task(Post& post) {
         ++post.batch.begin;
         post.batch.attempt = 1;
+        post.batch.left_out = 0;
+        post.part.reset();
         post.since = Clock::now();
     }
 
@@ -122,8 +144,13 @@ class Supervisor {
         put_back(post);
     }
 
-    /// Gives up the task that the post is at.
+    /// Gives up the task that the post is at, or the part of it that it is at.
     void lose(Post& post, Loss loss, const std::string& reason) {
+        if (post.part && (post.batch.left_out >> *post.part & 1U) == 0) {
+            post.batch.left_out |= std::uint64_t{1} << *post.part;
+            put_back(post);
+            return;
+        }
         const LostTask lost{.task = post.batch.begin,
                             .attempt = post.batch.attempt,
                             .loss = loss,

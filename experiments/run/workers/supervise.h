@@ -52,6 +52,11 @@ struct Listener {
 /// ends its worker, or takes more than the limits, is lost; a new worker goes on with the next one. When
 /// `stop` is requested workers are killed where they are. The listener is called in this thread. Throws
 /// WorkerError, and what the listener throws; then too all workers are killed.
+///
+/// A part of a task that ends its worker, or takes more than the limits, is left out, and the task is started
+/// again; that is no attempt. A worker that holds a quarter of a task's memory when it has done one is
+/// replaced, so that what a task leaves behind does not count against the next. Time in which this process
+/// itself was stopped counts for nobody.
 void supervise(std::deque<Batch> batches, unsigned workers, const TaskLimits& limits,
                const std::stop_token& stop, const DoBatch& work, const Listener& listener);
 

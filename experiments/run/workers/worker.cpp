@@ -10,7 +10,7 @@
 namespace trocar {
 namespace {
 
-constexpr char done_letter = 'd', error_letter = 'e';
+constexpr char done_letter = 'd', part_letter = 'p', error_letter = 'e';
 
 /// Reads exactly that many bytes; false at the end of the line.
 bool read_all(int descriptor, char* bytes, std::size_t size) {
@@ -31,9 +31,10 @@ void report(int line, char letter, const std::string& text) {
 /// Leaves a child nothing of its parent's but what it was copied with and its end of the line: no other
 /// files and no locks on them, no signals that the parent waits for.
 int cut_loose(int line) {
-    // Ctrl-C reaches every process of the terminal; the supervisor decides.
+    // Ctrl-C reaches every process of the terminal, and the SIGTERM of a batch system every one of the job;
+    // the supervisor decides.
     std::signal(SIGINT, SIG_IGN);
-    std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGTERM, SIG_IGN);
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -47,12 +48,27 @@ void live(const DoBatch& work, int line) {
     try {
         Batch batch;
         while (read_all(line, reinterpret_cast<char*>(&batch), sizeof(batch))) {
-            work(batch, [&](const std::string& text) { report(line, done_letter, text); });
+            work(batch, {.done = [&](const std::string& text) { report(line, done_letter, text); },
+                         .part =
+                             [&](std::optional<std::uint64_t> part) {
+                                 report(line, part_letter, part ? std::to_string(*part) : "");
+                             }});
         }
     } catch (const std::exception& error) {
         report(line, error_letter, error.what());
     } catch (...) {
         report(line, error_letter, "something that is no std::exception was thrown");
+    }
+}
+
+WorkerMessage::Kind kind_of(char letter) {
+    switch (letter) {
+        case done_letter:
+            return WorkerMessage::Kind::done;
+        case part_letter:
+            return WorkerMessage::Kind::part;
+        default:
+            return WorkerMessage::Kind::error;
     }
 }
 
@@ -68,7 +84,7 @@ void Worker::give(const Batch& batch) {
 std::vector<WorkerMessage> Worker::messages() {
     std::vector<WorkerMessage> messages;
     for (Message& message : child_.messages())
-        messages.push_back({.is_error = message.letter == error_letter, .text = std::move(message.text)});
+        messages.push_back({.kind = kind_of(message.letter), .text = std::move(message.text)});
     return messages;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,19 +16,30 @@ namespace trocar {
 struct Batch {
     std::uint64_t begin = 0, end = 0;
     std::uint64_t attempt = 1;  ///< how often its first task has been started, this time included
+    std::uint64_t left_out =
+        0;  ///< parts of its first task, by number, a bit each: they ended a worker before
     [[nodiscard]] bool empty() const { return begin == end; }
 };
 
-/// Reports that a task is done, with a text for the supervisor.
-using ReportDone = std::function<void(const std::string&)>;
+/// What a worker reports of the task that it is at.
+struct Reports {
+    std::function<void(const std::string&)> done;  ///< it is done; with a text for the supervisor
+    /// A part of it begins, below 64, that can be left out if need be; none: what cannot be left out.
+    std::function<void(std::optional<std::uint64_t>)> part;
+};
 
 /// Does the tasks of a batch in their order, and reports after each.
-using DoBatch = std::function<void(const Batch&, const ReportDone&)>;
+using DoBatch = std::function<void(const Batch&, const Reports&)>;
 
 /// What a worker has to say.
 struct WorkerMessage {
-    bool is_error = false;  ///< it could not go on, and ends
-    std::string text;       ///< of a task, or why
+    enum class Kind {
+        done,   ///< a task; with its text
+        part,   ///< of a task begins; with its number, or nothing
+        error,  ///< it could not go on, and ends; with why
+    };
+    Kind kind;
+    std::string text;
 };
 
 /// A child process that is given batches. It is a copy of this process at the moment it is made, so it knows
