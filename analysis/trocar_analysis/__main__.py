@@ -1,4 +1,4 @@
-"""The command line: `/usr/bin/python3 -m trocar_analysis show|compare|sensitivity|claims|snapshot|figure|… …`. Exit code 0 when
+"""The command line: `/usr/bin/python3 -m trocar_analysis show|compare|sensitivity|rank|front|… …`. Exit code 0 when
 done, 1 when `compare` found what it should fail on, 2 for bad usage or input, with one line on stderr that says what
 is wrong, 3 for a bug in here, with the traceback on stderr."""
 
@@ -9,6 +9,7 @@ import os
 import shutil
 import sys
 import traceback
+from collections.abc import Callable
 
 from .errors import InputError
 
@@ -24,7 +25,8 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    commands = parser.add_subparsers(dest="command", required=True, metavar="show|compare|sensitivity|claims|snapshot|figure|scene|metrics|rules")
+    names = "show|compare|sensitivity|rank|front|claims|snapshot|figure|scene|metrics|rules"
+    commands = parser.add_subparsers(dest="command", required=True, metavar=names)
 
     show = commands.add_parser("show", help="a table of what the file holds")
     show.add_argument("file", help="result file, as `trocar run` wrote it")
@@ -102,6 +104,15 @@ def make_parser() -> argparse.ArgumentParser:
     style.add_argument("--markdown", action="store_true", help="print what is drawn as a Markdown table")
     sensitivity.set_defaults(function=run_sensitivity)
 
+    rank = commands.add_parser("rank", help="which strategies do better by one figure, and which are not told apart")
+    add_of_one_file(rank)
+    rank.set_defaults(function=run_rank)
+
+    front = commands.add_parser("front", help="the Pareto front of two figures, as a picture")
+    add_of_one_file(front)
+    front.add_argument("--against", required=True, metavar="NAME", help="the other figure, along x")
+    front.set_defaults(function=run_front)
+
     claims = commands.add_parser("claims", help="the paper's claims, judged on a result file")
     claims.add_argument("claims", help="the claims and their conditions, TOML")
     claims.add_argument("file", nargs="?", help="result file, as `trocar reproduce` wrote it")
@@ -152,6 +163,24 @@ def make_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def add_of_one_file(command: Parser) -> None:
+    """What `rank` and `front` both take."""
+    command.add_argument("file", help="result file")
+    command.add_argument("--metric", required=True, metavar="NAME", help="a column, or a quotient of two columns, A/B")
+    command.add_argument(
+        "-o", "--output", action="append", required=True, metavar="FILE",
+        help="picture: .png or .svg; may be given several times",
+    )  # fmt: skip
+    command.add_argument(
+        "--only", action="append", default=[], metavar="KEY=VALUE",
+        help="these cases only; values of one key are alternatives; may be given several times",
+    )  # fmt: skip
+    command.add_argument("--better", default="", metavar="METRIC=low|high,…", help="which way is better")
+    style = command.add_mutually_exclusive_group()
+    style.add_argument("--csv", action="store_true", help="a tidy table in full precision")
+    style.add_argument("--markdown", action="store_true", help="a Markdown table")
+
+
 def run_show(arguments: argparse.Namespace) -> None:
     from .show import Wishes, show_cases, show_each, show_failures, show_provenance, show_states
 
@@ -195,6 +224,33 @@ def run_sensitivity(arguments: argparse.Namespace) -> None:
     for caution in sweep.cautions if a.csv else ():
         print(caution, file=sys.stderr)
     sys.stdout.write(csv_text(sweep) if a.csv else markdown_text(sweep) if a.markdown else pictures)
+    sys.stdout.flush()
+
+
+def run_rank(arguments: argparse.Namespace) -> None:
+    from .rank import Wishes, csv_text, draw_ranking, markdown_text, plain_text, read_ranking
+
+    a = arguments
+    ranking = read_ranking(a.file, Wishes(a.metric, a.only, directions_of(a.better)))
+    draw_ranking(ranking, a.output)
+    tell(a, ranking, ranking.cautions, {"csv": csv_text, "markdown": markdown_text, "text": plain_text})
+
+
+def run_front(arguments: argparse.Namespace) -> None:
+    from .front import Wishes, csv_text, markdown_text, plain_text, read_front
+    from .front_plot import draw_front
+
+    a = arguments
+    front = read_front(a.file, Wishes(a.metric, a.against, a.only, directions_of(a.better)))
+    draw_front(front, a.output)
+    tell(a, front, front.cautions, {"csv": csv_text, "markdown": markdown_text, "text": plain_text})
+
+
+def tell(arguments: argparse.Namespace, found: object, cautions: list[str], texts: dict[str, Callable]) -> None:
+    """Prints the table of what was drawn; a CSV has no place for the cautions."""
+    for caution in cautions if arguments.csv else ():
+        print(caution, file=sys.stderr)
+    sys.stdout.write(texts[style_of(arguments)](found))
     sys.stdout.flush()
 
 

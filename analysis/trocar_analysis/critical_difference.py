@@ -3,6 +3,9 @@ across those that the ranks do not tell apart."""
 
 from __future__ import annotations
 
+import textwrap
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -11,8 +14,8 @@ from matplotlib.style import context
 
 from . import palette
 from .errors import InputError
-from .ranks import ALPHA, Ranks, critical_difference, friedman, not_told_apart
-from .snapshot import save
+from .pictures import save_each
+from .ranks import ALPHA, Friedman, Ranks, critical_difference, friedman, not_told_apart
 
 # Inches, from the axis's left end to the right and from the upper edge down.
 LENGTH = 3.5  # of the axis
@@ -20,24 +23,25 @@ SIDE = 1.75  # beside it, for names; more where one is longer
 LETTER = 0.075  # width of one in a name
 MARGIN = 0.12
 DPI = 200
-TITLE, DIFFERENCE, AXIS = 0.22, 0.62, 1.02  # heights
+TITLE, SUBTITLE, DIFFERENCE, AXIS = 0.22, 0.42, 0.68, 1.08  # heights
 TICK = 0.06
 FIRST_BAR, BAR_STEP, BAR_OVERHANG = 0.12, 0.1, 0.05  # below the axis; from one to the next; beyond the outermost ranks
 FIRST_NAME, NAME_STEP = 0.22, 0.24  # below the last bar; from one to the next
 CAPTION = 0.28  # below the last name
+CAPTION_LINE, CAPTION_LETTER = 0.155, 0.058  # height of one; width of a letter
 BAR_WIDTH = 3.6  # points
 
 
-def draw_critical_difference(ranks: Ranks, title: str, files: list[str]) -> None:
-    """Writes the diagram into each of the files, .svg or .png. InputError where one cannot be written, or where there
-    is nothing to draw."""
+def draw_critical_difference(
+    ranks: Ranks, title: str, files: list[str], subtitle: str = "", notes: Sequence[str] = ()
+) -> None:
+    """Writes the diagram into each of the files, .svg or .png, with the notes below. InputError where one cannot be
+    written, or where there is nothing to draw."""
     with context([palette.STYLE, {"svg.fonttype": "none"}]):  # text that a reader can search and copy
-        figure = compose(ranks, title)
-        for file in files:
-            save(figure, file)
+        save_each(compose(ranks, title, subtitle, notes), files)
 
 
-def compose(ranks: Ranks, title: str) -> Figure:
+def compose(ranks: Ranks, title: str, subtitle: str = "", notes: Sequence[str] = ()) -> Figure:
     blocks, strategies = ranks.of_block.shape
     if blocks < 2 or strategies < 3:
         raise InputError(
@@ -50,14 +54,18 @@ def compose(ranks: Ranks, title: str) -> Figure:
     side = max(SIDE, 2 * MARGIN + LETTER * max(map(len, labels)))
     names = AXIS + FIRST_BAR + max(0, len(levels) - 1) * BAR_STEP + FIRST_NAME
     last = names + ((strategies + 1) // 2 - 1) * NAME_STEP
-    axes = start(side, last + CAPTION + 0.4)
+    letters = int((LENGTH + 2 * side - 2 * MARGIN) / CAPTION_LETTER)
+    said = [line for note in [*caption(ranks), *notes] for line in textwrap.wrap(note, letters, break_on_hyphens=False)]
+    axes = start(side, last + CAPTION + CAPTION_LINE * len(said) + MARGIN)
     axes.text(MARGIN - side, TITLE, title, va="center", fontsize=11, fontweight="bold")
+    axes.text(MARGIN - side, SUBTITLE, subtitle, va="center", fontsize=8, color=palette.FAINT_INK)
     draw_axis(axes, strategies)
     draw_difference(axes, difference, strategies)
     draw_names(axes, ranks.mean, labels, side, names)
     draw_bars(axes, levels, ranks)
-    axes.text(MARGIN - side, last + CAPTION, caption(ranks), va="top", fontsize=8, linespacing=1.4,
-              color=palette.FAINT_INK)  # fmt: skip
+    for number, words in enumerate(said):
+        axes.text(MARGIN - side, last + CAPTION + CAPTION_LINE * (number + 0.5), words, va="center", fontsize=8,
+                  color=palette.FAINT_INK)  # fmt: skip
     return axes.figure
 
 
@@ -141,11 +149,14 @@ def line(axes: Axes, x: list[float], y: list[float], width: float = 1.0, color: 
     axes.plot(x, y, color=color, linewidth=width, solid_capstyle="butt", solid_joinstyle="miter")
 
 
-def caption(ranks: Ranks) -> str:
-    test = friedman(ranks.of_block)
-    p = "p < 0.0001" if test.p_f < 1e-4 else f"p = {test.p_f:.4f}"
+def caption(ranks: Ranks) -> list[str]:
     left_out = f"; {ranks.left_out} left out, where one has no value" if ranks.left_out else ""
-    return (
-        f"{len(ranks.of_block)} blocks{left_out}. That all rank alike: {p} (Friedman, Iman and Davenport).\n"
-        f"Bars join what differs by less than CD (Nemenyi, α = {ALPHA:g})."
-    )
+    return [
+        f"{len(ranks.of_block)} blocks{left_out}. That all rank alike: {p_words(friedman(ranks.of_block))} (Friedman, "
+        "Iman and Davenport).",
+        f"Bars join what differs by less than CD (Nemenyi, α = {ALPHA:g}).",
+    ]
+
+
+def p_words(test: Friedman) -> str:
+    return "p < 0.0001" if test.p_f < 1e-4 else f"p = {test.p_f:.4f}"

@@ -3,9 +3,11 @@ nothing of files and of what the values mean.
 
 A block is one set of conditions under which every strategy ran: organ, tool, scene, speed, seed, release, or what the
 caller takes for one. The tests take blocks as independent, which those of one seed are not: they share the place. Where
-the tests matter, let a block be a seed on an organ, and the value a strategy's mean rank over its cases there.
+the tests matter, let a block be a seed on an organ, and the value a strategy's mean rank over its cases there: that is
+rank_blocks.
 
-A value may be infinite: the worst there is, which a failed case counts as."""
+A value may be infinite: the worst there is, which a failed case counts as. Values that differ by rounding alone are
+equal: two strategies that do the same thing by other sums would else differ in every block."""
 
 from __future__ import annotations
 
@@ -16,6 +18,7 @@ import numpy as np
 from scipy.stats import f, friedmanchisquare, rankdata, studentized_range
 
 ALPHA = 0.05
+ROUNDING, LEAST = 1e-9, 1e-12  # of the larger value, and of any: what differs by less does by rounding alone
 
 
 @dataclass(frozen=True)
@@ -26,6 +29,7 @@ class Ranks:
     of_block: np.ndarray  # [blocks, strategies]
     failed: np.ndarray  # how many of a strategy's values are infinite, [strategies]
     left_out: int  # blocks that lack a strategy's value
+    blocks: list[Hashable]  # what each row of `of_block` is of
 
     @property
     def mean(self) -> np.ndarray:
@@ -59,9 +63,55 @@ def rank_strategies(
     table = np.full((len(row), len(names)), np.nan)
     for cell, value in zip(cells, values):
         table[cell] = value
-    complete = table[~np.isnan(table).any(axis=1)]
-    ranks = rankdata(complete if low_is_better else -complete, axis=1) if len(complete) else complete
-    return Ranks(names, ranks, np.isinf(complete).sum(axis=0), len(table) - len(complete))
+    is_complete = ~np.isnan(table).any(axis=1)
+    complete = table[is_complete]
+    ranks = rankdata(order_of(complete if low_is_better else -complete), axis=1) if len(complete) else complete
+    kept = [block for block, whole in zip(row, is_complete) if whole]
+    return Ranks(names, ranks, np.isinf(complete).sum(axis=0), len(table) - len(complete), kept)
+
+
+def rank_blocks(
+    values: np.ndarray, strategies: Sequence[str], conditions: Sequence[Hashable], blocks: Sequence[Hashable],
+    low_is_better: bool = True,
+) -> Ranks:  # fmt: skip
+    """As rank_strategies, where a block is several conditions (speed, scene, …): the value, the strategy, the condition
+    and the block of each case, [cases].
+
+    Strategies are ranked under each condition of a block, these ranks averaged over its conditions, and the means ranked
+    again, among the strategies of the block. The figure's own values are not averaged: they are larger under one
+    condition than under another, and it alone would decide; a rank weighs the same under each, and so does a failed
+    case, of which there is no mean. The means are ranked again because the tests know how ranks 1, 2, …, k spread by
+    chance; how means of ranks do depends on how much the conditions of a block have in common, which nobody knows: they
+    spread less, and the tests would miss differences. Were each condition a block, as if they had nothing in common,
+    the tests would find differences that are not there. If the strategies are alike, any order of them in a block is as
+    likely as another, whatever its conditions have in common, which is all that the tests ask for. What it costs: a
+    block says who is ahead, not under how many of its conditions.
+
+    A condition in which a strategy has no value is left out, and a block without any other. `failed` counts cases of the
+    conditions that are not."""
+    within = rank_strategies(values, strategies, [*zip(blocks, conditions)], low_is_better)
+    of_block: dict[Hashable, list[np.ndarray]] = {}
+    for (block, _), ranks in zip(within.blocks, within.of_block):
+        of_block.setdefault(block, []).append(ranks)
+    # Sums of halves are exact: means that are equal are so to the last bit.
+    means = np.array([np.mean(ranks, axis=0) for ranks in of_block.values()]).reshape(-1, len(within.strategies))
+    ranks = rankdata(means, axis=1) if len(means) else means
+    return Ranks(within.strategies, ranks, within.failed, len({*blocks}) - len(of_block), [*of_block])
+
+
+def order_of(values: np.ndarray) -> np.ndarray:
+    """Numbers from 0, along the last axis, that are in order as the values are, and equal where these differ by rounding
+    alone."""
+    order = np.argsort(values, axis=-1, kind="stable")
+    ordered = np.take_along_axis(values, order, axis=-1)
+    below, above = ordered[..., :-1], ordered[..., 1:]
+    with np.errstate(invalid="ignore"):  # ∞ − ∞
+        larger = np.maximum(np.abs(below), np.abs(above))
+        is_near = (above - below <= np.maximum(ROUNDING * larger, LEAST)) & np.isfinite(larger)
+    numbers = np.zeros(values.shape, int)
+    steps = np.cumsum(~(is_near | (above == below)), axis=-1)
+    np.put_along_axis(numbers, order[..., 1:], steps, axis=-1)
+    return numbers
 
 
 def friedman(of_block: np.ndarray) -> Friedman:

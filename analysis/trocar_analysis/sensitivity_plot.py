@@ -5,23 +5,21 @@ from __future__ import annotations
 
 import textwrap
 from dataclasses import dataclass
-from io import BytesIO
 
 import numpy as np
-from PIL import Image
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure as Picture
 from matplotlib.style import context
 
 from . import palette
-from .errors import InputError
-from .sensitivity import Figure, Sweep
+from .case_figures import Figure
+from .pictures import save_each
+from .sensitivity import Sweep
 from .sensitivity_panel import (
     Line, draw_line, is_category, lines_of, places, scale_of, select, set_x, set_y, shift, tick_texts,
 )  # fmt: skip
 from .sensitivity_table import notes, shown_unit
-from .snapshot import save
 
 # Inches.
 LEFT, UNIT_LEFT, MARGIN = 0.72, 0.46, 0.14  # of the first panel; from it to its unit; around the picture
@@ -34,7 +32,7 @@ NAME_GAP, NAME_STEP, NAME_LETTER = 0.3, 0.15, 0.068  # from a panel to names; fr
 AXIS, AXIS_NAME, TICK_LINE = 0.62, 0.26, 0.13  # below the last row; from its name down; a further line of ticks
 NOTE_LINE = 0.17
 NOTE_LETTER = 0.06
-DPI, COLORS = 160, 256  # of a PNG
+DPI = 160  # of a PNG
 
 HELD = {"contact": "held while in contact", "step": "held in its step only"}  # a handled vertex
 BETTER = {"low": "↓ lower is better", "high": "↑ higher is better"}
@@ -47,22 +45,7 @@ TAKEN = {
 def draw_sweep(sweep: Sweep, files: list[str]) -> None:
     """Writes the picture into each of the files, .svg or .png. InputError where one cannot be written."""
     with context([palette.STYLE, {"svg.fonttype": "none"}]):  # text that a reader can search and copy
-        picture = compose(sweep)
-        for file in files:
-            if not file.lower().endswith((".png", ".svg")):
-                raise InputError(f"{file}: a picture's name ends in .png or .svg")
-        for file in files:
-            save_small(picture, file) if file.lower().endswith(".png") else save(picture, file)
-
-
-def save_small(picture: Picture, file: str) -> None:
-    """A PNG of few colours: a third of the size, and it looks the same."""
-    whole = BytesIO()
-    picture.savefig(whole, format="png")
-    try:
-        Image.open(whole).convert("RGB").quantize(COLORS, dither=Image.Dither.NONE).save(file, optimize=True)
-    except OSError as error:
-        raise InputError(f"{file}: cannot be written ({error.strerror or error})") from error
+        save_each(compose(sweep), files)
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ import numpy as np
 import pandas as pd
 from pandas.api.types import is_numeric_dtype
 
+from .case_figures import pooled_words
 from .sensitivity import Sweep
 from .store import CONDITIONS
 from .table import Column, markdown, number, readable_unit
@@ -17,8 +18,7 @@ def notes(sweep: Sweep) -> list[str]:
     counts = points["cases"]
     n = f"{counts.min()}" if counts.min() == counts.max() else f"{counts.min()} to {counts.max()}"
     apart = {sweep.over, *sweep.panels, *sweep.lines, *sweep.along}
-    pooled = [name for name in CONDITIONS if name in cases and name not in apart and cases[name].nunique() > 1]
-    of = ", ".join(f"{cases[name].nunique()} {plural(name)}" for name in pooled)
+    of = pooled_words(cases, [name for name in CONDITIONS if name not in apart])
     said = [f"A point is the median over n = {n} cases" + (f" ({of})" if of else "") + "; " + interval_words(points)]
     failed = int((cases["status"] != "complete").sum())
     said.append(
@@ -45,10 +45,6 @@ def interval_words(points: pd.DataFrame) -> str:
         return "too few seeds for intervals."
     exceptions = f" ({without} of the {len(points)} points have too few seeds for one)" if without else ""
     return f"its bar the 95 % bootstrap interval, seeds drawn within organs{exceptions}."
-
-
-def plural(name: str) -> str:
-    return name if name.endswith("s") else f"{name}s"
 
 
 def csv_text(sweep: Sweep) -> str:

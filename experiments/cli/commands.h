@@ -33,6 +33,8 @@ void add_reproduce(CLI::App& app, Program& program);
 void add_show(CLI::App& app, Program& program);
 void add_compare(CLI::App& app, Program& program);
 void add_sensitivity(CLI::App& app, Program& program);
+void add_rank(CLI::App& app, Program& program);
+void add_front(CLI::App& app, Program& program);
 void add_snapshot(CLI::App& app, Program& program);
 void add_figure(CLI::App& app, Program& program);
 void add_check(CLI::App& app, Program& program);

@@ -56,6 +56,8 @@ int run_program(int argc, char** argv) {
     trocar::add_show(app, program);
     trocar::add_compare(app, program);
     trocar::add_sensitivity(app, program);
+    trocar::add_rank(app, program);
+    trocar::add_front(app, program);
     trocar::add_snapshot(app, program);
     trocar::add_figure(app, program);
     trocar::add_check(app, program);

@@ -1,10 +1,13 @@
-"""Ranks, Friedman's test and Nemenyi's difference against Demšar's worked example (2006) and others published."""
+"""Ranks, Friedman's test and Nemenyi's difference against Demšar's worked example (2006) and others published; ranks of
+blocks by hand, and how often chance alone is taken for a difference."""
 
 import math
 import unittest
 
 import numpy as np
-from trocar_analysis.ranks import critical_difference, friedman, not_told_apart, rank_strategies
+from trocar_analysis.ranks import (
+    critical_difference, friedman, not_told_apart, order_of, rank_blocks, rank_strategies,
+)  # fmt: skip
 
 INF, NAN = math.inf, math.nan
 CLASSIFIERS = ("C4.5", "C4.5+m", "C4.5+cf", "C4.5+m+cf")
@@ -62,6 +65,89 @@ class RankStrategies(unittest.TestCase):
     def test_a_block_that_lacks_a_condition(self):
         with self.assertRaisesRegex(ValueError, r"block \('liver',\) has two cases of b"):
             rank_strategies(np.arange(3.0), ["a", "b", "b"], [("liver",)] * 3)
+
+
+def rank_cube(values, **options):
+    """Of values [blocks, conditions, strategies]; the strategies are a, b, c …"""
+    numbers = np.indices(np.shape(values)).reshape(3, -1).tolist()
+    names = [chr(ord("a") + k) for k in numbers[2]]
+    return rank_blocks(np.ravel(values), names, numbers[1], numbers[0], **options)
+
+
+class OrderOf(unittest.TestCase):
+    def test_what_differs_by_rounding_is_equal(self):
+        values = np.array([3.0, 1, 1 + 1e-12, INF, INF, -INF, 2])
+        self.assertEqual(order_of(values).tolist(), [3, 1, 1, 4, 4, 0, 2])
+        self.assertEqual(order_of(np.array([[0, 1e-13, INF], [INF, 1e300, 5], [1, 1.001, -2]])).tolist(),
+                         [[0, 0, 1], [2, 1, 0], [1, 2, 0]])  # fmt: skip
+        self.assertEqual(order_of(np.array([[0.1 + 0.2], [0.3]]).T).tolist(), [[0, 0]])
+
+    def test_ranks_take_it_for_equal(self):
+        self.assertEqual(rank_table([[0.3, 0.1 + 0.2, 5], [7.0, 7, 7 + 1e-6]]).of_block.tolist(),
+                         [[1.5, 1.5, 3], [1.5, 1.5, 3]])  # fmt: skip
+        high = rank_table([[0.3, 0.1 + 0.2, 5]], low_is_better=False)
+        self.assertEqual(high.of_block.tolist(), [[2.5, 2.5, 1]])
+
+
+class RankBlocks(unittest.TestCase):
+    def test_by_hand(self):
+        # Ranks 1 2 3, 1 3 2 and 3 1 2 are 5/3, 2 and 7/3 in the mean; 1 2 3, 2 1 3 and 3 2 1 are 2, 5/3 and 7/3.
+        ranks = rank_cube([[[1, 2, 3], [10, 30, 20], [0.3, 0.1, 0.2]], [[4, 5, 6], [5, 4, 6], [9, 8, 7]]])
+        self.assertEqual((ranks.of_block.tolist(), ranks.blocks), ([[1, 2, 3], [2, 1, 3]], [0, 1]))
+        np.testing.assert_allclose(ranks.mean, [1.5, 1.5, 3])
+
+    def test_means_that_are_equal_share_a_rank(self):
+        # 1.5 1.5 3 and 3 1 2 and 1 3 2: 11/6, 11/6, 7/3, whatever the order of the sums.
+        for order in ([0, 1, 2], [2, 1, 0], [1, 0, 2]):
+            block = np.array([[1, 1, 2], [3, 1, 2], [1, 3, 2]])[order]
+            self.assertEqual(rank_cube([block]).of_block.tolist(), [[1.5, 1.5, 3]])
+
+    def test_one_condition_is_a_block_by_itself(self):
+        table = np.random.default_rng(6).normal(size=(20, 4))
+        for low in (True, False):
+            one, other = rank_cube(table[:, None], low_is_better=low), rank_table(table, low_is_better=low)
+            self.assertEqual(one.of_block.tolist(), other.of_block.tolist())
+
+    def test_a_condition_with_large_values_weighs_as_much_as_another(self):
+        values = np.random.default_rng(7).uniform(1, 2, (10, 3, 4))
+        expected = rank_cube(values).of_block.tolist()
+        self.assertEqual(rank_cube(values * [[1], [1000], [1e-3]]).of_block.tolist(), expected)
+        self.assertNotEqual(rank_table((values * [[1], [1000], [1e-3]]).mean(axis=1)).of_block.tolist(), expected)
+
+    def test_a_failed_case_is_last_under_its_condition_only(self):
+        ranks = rank_cube([[[INF, 2, 3], [1, 2, 3], [1, 3, 2]]])  # 3 1 2, 1 2 3, 1 3 2
+        self.assertEqual((ranks.of_block.tolist(), ranks.failed.tolist()), ([[1, 2, 3]], [1, 0, 0]))
+
+    def test_conditions_that_lack_a_value_are_left_out(self):
+        values = [[[9, 1, 2], [1, 2, 3]], [[NAN, 1, 2], [3, 2, 1]], [[1, NAN, INF], [1, 2, NAN]]]
+        ranks = rank_cube(values)
+        self.assertEqual((ranks.blocks, ranks.left_out), ([0, 1], 1))
+        self.assertEqual(ranks.of_block.tolist(), [[2, 1, 3], [3, 2, 1]])  # 3 1 2 and 1 2 3: 2, 1.5, 2.5
+        self.assertEqual(ranks.failed.tolist(), [0, 0, 0])
+        nothing = rank_cube([[[NAN, 1, 2]]])
+        self.assertEqual((nothing.blocks, nothing.left_out, nothing.of_block.shape), ([], 1, (0, 3)))
+
+    def test_a_strategy_twice_under_a_condition(self):
+        with self.assertRaisesRegex(ValueError, "two cases of b"):
+            rank_blocks(np.arange(3.0), ["a", "b", "b"], ["slow"] * 3, [("liver", 1)] * 3)
+
+    def test_chance_alone(self):
+        # Strategies are alike; those of a seed do the same under each of its conditions (all alike) or not (apart).
+        generator, blocks, conditions = np.random.default_rng(8), 12, 6
+        found = {f"{how} {common}": 0 for how in ("blocks", "conditions", "means") for common in ("alike", "apart")}
+        for _ in range(300):
+            of_seed = generator.normal(size=(blocks, 1, 4))
+            noise = generator.normal(size=(blocks, conditions, 4))
+            for common, values in (("alike", of_seed + 0.3 * noise), ("apart", noise)):
+                within = rank_table(values.reshape(-1, 4)).of_block
+                means = within.reshape(blocks, conditions, 4).mean(axis=1)
+                for how, ranks in (("blocks", rank_cube(values).of_block), ("conditions", within), ("means", means)):
+                    is_told_apart = np.ptp(ranks.mean(axis=0)) >= critical_difference(4, len(ranks))
+                    found[f"{how} {common}"] += is_told_apart
+        for common in ("alike", "apart"):  # 15 expected, and 3.8 is the standard deviation
+            self.assertTrue(3 <= found[f"blocks {common}"] <= 27, found)
+        self.assertGreater(found["conditions alike"], 90, found)  # each condition a block: it finds what is not there
+        self.assertLess(found["means apart"], 3, found)  # means that are not ranked again: it misses what is
 
 
 class Demsar(unittest.TestCase):

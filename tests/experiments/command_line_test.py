@@ -97,7 +97,7 @@ class CommandLine(ProgramTest):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["snapshot"], ["figure"], ["reproduce"], ["check"],
+        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["rank"], ["front"], ["snapshot"], ["figure"], ["reproduce"], ["check"],
                         ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
             text = self.expect_done(*command, "--help").stdout
@@ -318,6 +318,19 @@ class CommandLine(ProgramTest):
         self.assertIn("8 cases, no failures", self.expect_done("show", self.out, "--failures").stdout)
         self.assertIn("8 cases, 1 program, 1 machine", self.expect_done("show", self.out, "--provenance").stdout)
         self.expect_refused("excludes", "show", self.out, "--failures", "--by", "label")
+
+    def test_rank_and_front_know_which_way_is_better(self):
+        self.sweep.write_text(SWEEP.replace('"fuzzy-per-vertex"]', '"fuzzy-per-vertex", "cylinder-axis"]'))
+        self.expect_done("run", self.sweep, "-o", self.out)
+        svg = self.folder / "x.svg"
+        text = self.expect_done("rank", self.out, "--metric", "facets_crossing_d_mean", "--only", "speed=100", "-o", svg).stdout
+        self.assertIn("over 2 blocks", text)
+        self.assertIn("critical difference", text.lower())
+        figures = ("front", self.out, "--metric", "facets_crossing_d_mean", "--against", "edge_ratio_mean_h_mean")
+        self.assertIn("edge_ratio_mean_h_mean: higher is better", self.expect_done(*figures, "-o", svg).stdout)
+        self.assertIn("cylinder-axis", svg.read_text())
+        self.expect_refused("neither way is better", "rank", self.out, "--metric", "collided_vertices_max", "-o", svg)
+        self.expect_refused("excludes", *figures, "-o", svg, "--csv", "--markdown")
 
     def test_a_bug_of_the_analysis_is_3(self):
         self.write("pandas.py", "raise KeyError('odd')")
