@@ -47,6 +47,20 @@ define check_verdicts
 
 endef
 
+# Which strategy when: the paper's comparison, scene by scene ranked, and going in what less penetration costs.
+left_inside = --only release=contact --metric tool_volume_inside_d_max --markdown
+define rank_strategies
+	build/trocar rank build/paper/paper.h5 --only scene=$(1) $(left_inside) \
+	    $(addprefix -o results/reference/choice/rank_$(1),.svg .png) > results/reference/choice/rank_$(1).md
+
+endef
+define draw_front
+	build/trocar front build/paper/paper.h5 --only scene=penetration --only speed=$(1) $(left_inside) \
+	    --against strain_mean $(addprefix -o results/reference/choice/front_$(1),.svg .png) \
+	    > results/reference/choice/front_$(1).md
+
+endef
+
 # What the results are sensitive to: each sweep of experiments/sensitivity, and the condition that it varies.
 sensitivity_sweeps = resolution speed rate tool stiffness wall
 over_resolution = organ_facets
@@ -75,7 +89,7 @@ define draw_paper_figure
 endef
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures claims readings sensitivity everything test sanitize \
+.PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures claims choice readings sensitivity everything test sanitize \
     mutate lint docs bench clean
 
 help:  ## list the targets
@@ -125,6 +139,11 @@ claims: build  ## judge every claim of the paper on all seeds, results/reference
 	xz -9e -c build/claims/small.h5 > $(reference_claims)/claims.h5.xz
 	$(PYTHON) cmake/readme_part.py README.md verdicts $(reference_claims)/verdicts.md
 	$(PYTHON) cmake/readme_part.py results/reference/README.md verdicts $(reference_claims)/verdicts.md
+
+choice: paper  ## rank the strategies scene by scene and draw what less penetration costs, results/reference/choice/
+	mkdir -p results/reference/choice
+	$(foreach scene,penetration sliding cutting,$(call rank_strategies,$(scene)))
+	$(foreach speed,20 400,$(call draw_front,$(speed)))
 
 readings: build  ## run every reading of the paper's method, and make the tables of strategies/readings.md anew
 	mkdir -p build/readings
