@@ -131,7 +131,9 @@ claims: build  ## judge every claim of the paper on all seeds, results/reference
 	mkdir -p build/claims $(reference_claims)
 	$(reproduce) --markdown > build/claims/claims.md
 	$(reproduce) --json > $(reference_claims)/claims.json
-	cp build/claims/claims.md build/claims/claims.turns.csv $(reference_claims)
+	{ printf '# The claims of the paper, condition by condition\n\n'; cat build/claims/claims.md; } \
+	    > $(reference_claims)/claims.md
+	cp build/claims/claims.turns.csv $(reference_claims)
 	sed '/^$$/q' build/claims/claims.md > $(reference_claims)/verdicts.md
 	build/trocar merge build/claims/claims.h5 -o build/claims/tables.h5 --tables-only
 	$(PYTHON) cmake/claims_columns.py build/claims/tables.h5 experiments/claims.toml
