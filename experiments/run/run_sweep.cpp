@@ -209,7 +209,7 @@ class PendingRun {
     /// The strategy is made and gone before the case is reported, so that what it does then is its own
     /// case's.
     static CaseRecord run_one(const CaseInputs& inputs, const SceneSource& scene_of,
-                       const CaseOptions& options) {
+                              const CaseOptions& options) {
         std::unique_ptr<Strategy> strategy;
         std::string reason = "something that is no std::exception was thrown";
         try {
