@@ -21,7 +21,7 @@ struct CaseOptions {
     std::vector<StrategyChoice> answering;  ///< … which are these
     std::uint64_t not_asked = 0;  ///< of `answering`, a bit each: asking them ended the process before
     /// Is told which of `answering` is about to be asked, and when none is any more; may be empty.
-    std::function<void(std::optional<std::uint64_t>)> asking = {};
+    std::function<void(std::optional<std::uint64_t>)> asking = nullptr;
     /// How a strategy is made, the case's own and those that answer.
     std::function<std::unique_ptr<Strategy>(const StrategyChoice&)> make = [](const StrategyChoice& choice) {
         return make_strategy(choice.name, choice.options);

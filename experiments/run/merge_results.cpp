@@ -90,7 +90,7 @@ bool has_all_of(const Contents::Case& one, const Contents::Case& other) {
         for (const auto name : std::views::split(metrics, ',')) set.emplace(name.begin(), name.end());
         return set;
     };
-    return one.has_series >= other.has_series && one.has_replay >= other.has_replay &&
+    return (one.has_series || !other.has_series) && (one.has_replay || !other.has_replay) &&
            std::ranges::includes(names(one.metrics), names(other.metrics));
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <ranges>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -210,19 +211,21 @@ class PendingRun {
     /// case's.
     static CaseRecord run_one(const CaseInputs& inputs, const SceneSource& scene_of,
                               const CaseOptions& options) {
+        const auto unmade = [&](const std::string& reason) {
+            return lost_case(inputs, options, CaseStatus::failed,
+                             fmt::format("the strategy cannot be made: {}", reason), 0);
+        };
         std::unique_ptr<Strategy> strategy;
-        std::string reason = "something that is no std::exception was thrown";
         try {
             strategy = options.make(inputs.strategy);
         } catch (const std::exception& error) {
-            reason = error.what();
+            return unmade(error.what());
         } catch (...) {
+            return unmade("something that is no std::exception was thrown");
         }
-        if (!strategy) {
-            return lost_case(inputs, options, CaseStatus::failed,
-                             fmt::format("the strategy cannot be made: {}", reason), 0);
-        }
-        return *run_case(inputs, scene_of, *strategy, options, {});  // always: nobody asks it to stop
+        std::optional<CaseRecord> record = run_case(inputs, scene_of, *strategy, options, {});
+        if (!record) throw std::logic_error("a case stopped that nobody asked to stop");
+        return std::move(*record);
     }
 
     std::string store_lost(const LostTask& lost) const {
