@@ -136,7 +136,7 @@ class Resume(ProgramTest):
 
     def test_a_signal_to_the_whole_job_is_no_crash(self):
         """As `timeout` and batch systems send it."""
-        self.sweep.write_text(SWEEP.replace("@12mm", "@4mm").replace("seeds = 2", "seeds = 12"))
+        self.sweep.write_text(SWEEP.replace("@12mm", "@6mm").replace("seeds = 2", "seeds = 8"))
         for _ in range(3):
             process = subprocess.Popen([self.program, "run", self.sweep, "-o", self.out, "-j", "2"],
                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
@@ -149,13 +149,13 @@ class Resume(ProgramTest):
         self.assertEqual(self.run_sweep().returncode, 0)
 
     def test_time_in_which_the_job_stands_still_does_not_count(self):
-        self.sweep.write_text(SWEEP.replace("@12mm", "@4mm").replace("seeds = 2", "seeds = 6"))
-        process = subprocess.Popen([self.program, "run", self.sweep, "-o", self.out, "-j", "1", "--case-seconds", "3"],
+        self.sweep.write_text(SWEEP.replace("@12mm", "@6mm").replace("seeds = 2", "seeds = 6"))
+        process = subprocess.Popen([self.program, "run", self.sweep, "-o", self.out, "-j", "1", "--case-seconds", "8"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                    start_new_session=True)  # fmt: skip
         process.stderr.readline()
         os.killpg(process.pid, signal.SIGSTOP)
-        time.sleep(4)
+        time.sleep(9)
         os.killpg(process.pid, signal.SIGCONT)
         _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 0, errors)
