@@ -12,15 +12,18 @@ from .subject import Name, Subject, tally
 
 def reasons(rows: pd.DataFrame, name: Name | None) -> dict[str, int]:
     """Why `rows`, none of which has a value for a figure, have none, and how many of them; frequent ones first."""
-    nothing = [""] * len(rows)
+    nothing, unknown = [""] * len(rows), [None] * len(rows)
+    told = zip(rows.get("missing", nothing), rows.get("metrics", nothing), rows.get("window_steps", unknown))
     counts: Counter[str] = Counter()
-    for said, count in Counter(zip(rows.get("missing", nothing), rows.get("metrics", nothing))).items():
+    for said, count in Counter(told).items():
         counts[reason(*said, name)] += count
     return dict(counts.most_common())
 
 
-def reason(missing: str, metrics: str, name: Name | None) -> str:
-    """Of one row, which has `missing` and `metrics` in the columns of these names."""
+def reason(missing: str, metrics: str, window_steps: int | None, name: Name | None) -> str:
+    """Of one row, which has `missing`, `metrics` and `window_steps` in the columns of these names."""
+    if window_steps == 0:
+        return "the tool meets the organ at rest in no step"
     if name is None:
         return "no reason recorded"
     if known := read_reasons(missing).get(name.series):

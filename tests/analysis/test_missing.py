@@ -68,6 +68,11 @@ class Missing(ProgramTest):
         text = self.output_of("show", self.file, "--metric", "drag")
         self.assertIn("drag: no value in 1 of 2 complete cases (the metric was off)", text)
 
+    def test_a_run_without_a_step_in_the_window(self):
+        write_results(self.file, [case(1, 1.0, window_steps=7), case(2, math.nan, window_steps=0)])
+        said = "drag: no value in 1 of 2 complete cases (the tool meets the organ at rest in no step)"
+        self.assertIn(said, self.output_of("show", self.file, "--metric", "drag"))
+
     def test_nothing_is_said_where_nothing_is_missing(self):
         write_results(self.file, [case(1, 1.0, NO_VERTEX)])
         self.assertNotIn("NaN", self.output_of("show", self.file, "--metric", "drag"))
