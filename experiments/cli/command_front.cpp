@@ -1,14 +1,13 @@
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include "experiments/cli/analysis_program.h"
-#include "experiments/cli/better_directions.h"
 #include "experiments/cli/commands.h"
+#include "experiments/cli/picture_options.h"
 
 namespace trocar {
 namespace {
@@ -24,21 +23,8 @@ constexpr const char* footer =
     "  trocar front results.h5 --metric tool_volume_inside_d_max --against time_handle_p99 -o front.svg\n"
     "  trocar front results.h5 --metric depth_max_d_max --against gap_mean_d_mean -o front.png --csv";
 
-struct FrontOptions {
-    std::string file, metric, against;
-    std::vector<std::string> outputs, filters;
-    bool csv = false, markdown = false;
-
-    [[nodiscard]] std::vector<std::string> arguments() const {
-        std::vector<std::string> words{"front", "--metric=" + metric, "--against=" + against,
-                                       "--better=" + better_directions()};
-        for (const std::string& output : outputs) words.push_back("--output=" + output);
-        for (const std::string& filter : filters) words.push_back("--only=" + filter);
-        if (csv) words.emplace_back("--csv");
-        if (markdown) words.emplace_back("--markdown");
-        words.insert(words.end(), {"--", file});
-        return words;
-    }
+struct FrontOptions : PictureOptions {
+    std::string metric, against;
 };
 
 }  // namespace
@@ -47,25 +33,17 @@ void add_front(CLI::App& app, Program& program) {
     auto options = std::make_shared<FrontOptions>();
     CLI::App* command = app.add_subcommand("front", "Draw the Pareto front of two figures");
     command->footer(footer);
-    command->add_option("RESULTS", options->file, "result file that trocar run wrote")->required();
+    add_picture_options(*command, *options);
     command
         ->add_option(
             "--metric", options->metric,
             "the figure along y: a column, a metric of one column, or a quotient of two columns, A/B")
         ->required();
     command->add_option("--against", options->against, "the figure along x, likewise")->required();
-    command
-        ->add_option("-o,--output", options->outputs,
-                     "picture, .svg or .png; may be given several times for the same in several files")
-        ->required()
-        ->allow_extra_args(false);
-    command
-        ->add_option("--only", options->filters,
-                     "key=value: these cases only, as for trocar run; may be given several times")
-        ->allow_extra_args(false);
-    CLI::Option* csv = command->add_flag("--csv", options->csv, "comma-separated, in full precision");
-    command->add_flag("--markdown", options->markdown, "a Markdown table")->excludes(csv);
-    command->callback([options, &program] { program.exit_code = run_analysis(options->arguments()); });
+    command->callback([options, &program] {
+        program.exit_code = run_analysis(
+            options->words({"front", "--metric=" + options->metric, "--against=" + options->against}));
+    });
 }
 
 }  // namespace trocar

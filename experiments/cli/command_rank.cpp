@@ -1,14 +1,13 @@
 #include <memory>
 #include <string>
-#include <vector>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
 #include "experiments/cli/analysis_program.h"
-#include "experiments/cli/better_directions.h"
 #include "experiments/cli/commands.h"
+#include "experiments/cli/picture_options.h"
 
 namespace trocar {
 namespace {
@@ -25,20 +24,8 @@ constexpr const char* footer =
     "  trocar rank results.h5 --metric tool_volume_inside_d_max --only speed=400 -o x.svg -o x.png "
     "--markdown";
 
-struct RankOptions {
-    std::string file, metric;
-    std::vector<std::string> outputs, filters;
-    bool csv = false, markdown = false;
-
-    [[nodiscard]] std::vector<std::string> arguments() const {
-        std::vector<std::string> words{"rank", "--metric=" + metric, "--better=" + better_directions()};
-        for (const std::string& output : outputs) words.push_back("--output=" + output);
-        for (const std::string& filter : filters) words.push_back("--only=" + filter);
-        if (csv) words.emplace_back("--csv");
-        if (markdown) words.emplace_back("--markdown");
-        words.insert(words.end(), {"--", file});
-        return words;
-    }
+struct RankOptions : PictureOptions {
+    std::string metric;
 };
 
 }  // namespace
@@ -47,23 +34,14 @@ void add_rank(CLI::App& app, Program& program) {
     auto options = std::make_shared<RankOptions>();
     CLI::App* command = app.add_subcommand("rank", "Rank the strategies by one figure, with tests");
     command->footer(footer);
-    command->add_option("RESULTS", options->file, "result file that trocar run wrote")->required();
+    add_picture_options(*command, *options);
     command
         ->add_option("--metric", options->metric,
                      "the figure: a column, a metric of one column, or a quotient of two columns, A/B")
         ->required();
-    command
-        ->add_option("-o,--output", options->outputs,
-                     "picture, .svg or .png; may be given several times for the same in several files")
-        ->required()
-        ->allow_extra_args(false);
-    command
-        ->add_option("--only", options->filters,
-                     "key=value: these cases only, as for trocar run; may be given several times")
-        ->allow_extra_args(false);
-    CLI::Option* csv = command->add_flag("--csv", options->csv, "comma-separated, in full precision");
-    command->add_flag("--markdown", options->markdown, "a Markdown table")->excludes(csv);
-    command->callback([options, &program] { program.exit_code = run_analysis(options->arguments()); });
+    command->callback([options, &program] {
+        program.exit_code = run_analysis(options->words({"rank", "--metric=" + options->metric}));
+    });
 }
 
 }  // namespace trocar
