@@ -1,30 +1,27 @@
 """claims_columns.py FILE.h5 CLAIMS.toml: takes from a result file the figures that no condition of a claim names. What a
 case was run with and how it ended stays. The space is free only after h5repack."""
 
+import pathlib
 import sys
-import tomllib
 
 import h5py
 
-# Doubles that are no figure but a condition of the run, which whoever reads the file goes by.
-CONDITIONS = {"speed", "rate", "edge_stiffness", "rest_stiffness", "judged_rate"}
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "analysis"))
 
-
-def named(claims):
-    """The columns that conditions name, of cases and of states."""
-    conditions = [one for claim in claims["claim"] for one in claim.get("condition", [])]
-    entries = [one[key] for one in conditions for key in ("figure", "per") if key in one]
-    return {name for entry in entries for name in ([entry] if isinstance(entry, str) else entry)}
+from trocar_analysis.claims.claim_file import read_claims  # noqa: E402
+from trocar_analysis.store import INPUTS, OUTCOME  # noqa: E402
 
 
 def main():
     path, claims = sys.argv[1:]
-    with open(claims, "rb") as file:
-        kept = named(tomllib.load(file)) | CONDITIONS
+    conditions = [one for claim in read_claims(claims) for one in claim.conditions]
+    named = {name for one in conditions for name in (*one.figure, *one.per)}
     with h5py.File(path, "r+") as file:
         for group in (file["cases"], file["states"]):
-            for name in [name for name, column in group.items() if column.dtype.kind == "f" and name not in kept]:
-                del group[name]
+            figures = [name for name, column in group.items() if column.dtype.kind == "f"]
+            for name in figures:
+                if name not in {*named, *INPUTS, *OUTCOME}:
+                    del group[name]
 
 
 if __name__ == "__main__":

@@ -89,7 +89,8 @@ void store_case(CaseRecord& record, const RunRequest& request, const std::filesy
     write_case(file, request.header, record);
 }
 
-/// Brings everything that is done into `out`, unless it is there already.
+/// Brings everything that is done into `out`, unless it is there already. What is no case of the sweep a run
+/// with --fresh leaves behind; others were refused (see check_known).
 void merge_done(const RunRequest& request, const DoneCases& done) {
     std::map<std::filesystem::path, std::set<std::string>> ids_of_file;
     std::vector<std::string> order;

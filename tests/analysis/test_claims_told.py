@@ -69,7 +69,7 @@ class Told(ClaimsTest):
         said = self.told()
         self.assertIn("depth_max_d_max (a) < 3 × (b), 400 mm/s", said)
         self.assertRegex(said, r"C1 +Fig. 1 +reproduced +not run +something")
-        self.assertRegex(said, r"contact +mm +1.5 +2 +−4.5 \[−4.5, −4.5\] +12 +12 +12 +yes")
+        self.assertRegex(said, r"contact +mm +1.5 +2 +−4.5 \[−4.5, −4.5\] +12 +12 +12 +yes +0.000532 +−1\n")
 
     def test_markdown_is_a_table_whatever_texts_hold(self):
         text = claim(LESS.replace('"a"', '"a|1"'), LIMIT).replace('"something"', '"""one|two\nthree"""')

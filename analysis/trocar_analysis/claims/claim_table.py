@@ -97,6 +97,7 @@ def conditions_table(answer: Answer, units: dict[str, str]) -> list[Column]:
     columns += result_columns("", judged, scales)
     if any(np.isfinite(one.p) for one in judged):
         columns.append(Column(("two-sided p", ""), "", False, [(p_text(one.p), "") for one in judged]))
+        columns.append(Column(("Cliff's δ", ""), "", False, [(amount(one.delta, "+"), "") for one in judged]))
     confirmed = [one for _, _, one in rows]
     if any(one and one.pairs for one in confirmed):
         columns += result_columns("confirmation: ", confirmed, scales)
@@ -227,7 +228,8 @@ def legend(style: str) -> list[str]:
         "and the whole interval are on its side of 0.",
         "n: cases, or pairs; seeds: how many places on organs they are from, which is what an interval counts; singly: of "
         "how many the condition holds one by one; two-sided p: Wilcoxon's signed-rank test of no difference at all, whichever "
-        "way, with Holm's correction over the conditions of the claim. A case that failed counts as the worst value there is.",
+        "way, with Holm's correction over the conditions of the claim; Cliff's δ: of all pairs of a value and one of the "
+        "other, the share in which it is larger less that in which it is smaller. A case that failed counts as the worst value there is.",
         f"An interval needs {FEWEST_SEEDS} seeds over all organs; with fewer ({TOO_FEW}) nothing is said.",
     ]
     return [f"- {line}" for line in lines] if style == "markdown" else lines

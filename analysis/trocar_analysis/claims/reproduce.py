@@ -69,6 +69,7 @@ def as_json(answer: Answer) -> dict:
 def verdict_json(verdict: Verdict) -> dict:
     numbers = {
         "median_of": "of", "median_than": "than", "median": "median", "low": "low", "high": "high", "p": "p",
+        "cliffs_delta": "delta",
     }  # fmt: skip
     return {
         "verdict": verdict.word,

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..conditions import condition_interval
+from ..effects import cliffs_delta
 from ..paired import median, signed_rank
 from .claim_data import Sources, Values, values_of
 from .claim_file import Claim, Condition
@@ -32,6 +33,7 @@ class Judged:
     high: float
     single: int  # cases or pairs of which the condition holds one by one
     p: float  # Wilcoxon's, two-sided; NaN where it compares with a limit
+    delta: float  # Cliff's, of the figure against what it is compared with; NaN where that is a limit
     holds: bool | None  # None: described, or there are no data, or too few seeds to say
 
 
@@ -73,7 +75,7 @@ def judge(condition: Condition, values: Values) -> Judged:
     n = len(values.values)
     if n == 0:
         nothing = float("nan")
-        return Judged(condition, 0, 0, values.failed, values.lacking, *[nothing] * 5, 0, nothing, None)
+        return Judged(condition, 0, 0, values.failed, values.lacking, *[nothing] * 5, 0, nothing, nothing, None)
     estimate = condition_interval(values.values, values.organs, values.seeds)
     single = int(on_side(condition, values.values).sum()) if condition.relation else 0
     holds = None
@@ -82,7 +84,8 @@ def judge(condition: Condition, values: Values) -> Judged:
     return Judged(
         condition, n, len(set(zip(values.organs, values.seeds))), values.failed, values.lacking, median(values.of),
         median(values.than) if condition.than else float("nan"), estimate.median, estimate.low, estimate.high, single,
-        signed_rank(values.values) if condition.than else float("nan"), holds,
+        signed_rank(values.values) if condition.than else float("nan"),
+        cliffs_delta(values.of, values.than) if condition.than else float("nan"), holds,
     )  # fmt: skip
 
 
