@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import itertools
-import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from ..errors import InputError, unknown
 from ..subject import CASES, STATES
+from ..toml_file import read_toml
 from .claim_sweeps import Sweep, read_sweeps
 
 RELATIONS = ("<", ">", "<=", ">=")
@@ -53,12 +53,7 @@ CONDITION_KEYS = {"figure", "per", "where", "each", "of", "than", "is", "limit",
 
 
 def read_claims(path: str) -> list[Claim]:
-    try:
-        content = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: {error.strerror}; expected the file of claims") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: is no TOML file: {error}") from error
+    content = read_toml(path, "the file of claims")
     claims = content.get("claim")
     if not isinstance(claims, list) or not claims:
         raise InputError(f"{path}: has no [[claim]]")

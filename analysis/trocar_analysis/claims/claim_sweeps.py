@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 
 import pandas as pd
 
-from ..errors import InputError
+from ..toml_file import read_toml
 
 # Keys of a sweep file and the column of what they list.
 LISTS = {"organs": "organ", "tools": "tool", "scenes": "scene", "speeds": "speed"}
@@ -22,12 +21,7 @@ def read_sweeps(folder: Path, names: list[str]) -> tuple[Sweep, ...]:
 
 
 def read_sweep(path: Path) -> Sweep:
-    try:
-        content = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: {error.strerror}; expected a sweep that a claim names") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: is no TOML file: {error}") from error
+    content = read_toml(path, "a sweep that a claim names")
     sweep = {}
     for key, column in LISTS.items():
         if key not in content:

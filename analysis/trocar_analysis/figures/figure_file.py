@@ -3,12 +3,11 @@ what its keys mean."""
 
 from __future__ import annotations
 
-import tomllib
 from dataclasses import dataclass
-from pathlib import Path
 
 from ..errors import InputError, unknown
 from ..store import MOMENTS
+from ..toml_file import read_toml
 
 SURFACES = ("solid", "wire")
 VECTORS = ("none", "all", "crossing")  # of displacement: not drawn; drawn; drawn, and told apart by whether they cross
@@ -60,12 +59,7 @@ CHOICES = {"moment": MOMENTS, "surface": SURFACES, "vectors": VECTORS}
 
 
 def read_figure(path: str) -> FigureFile:
-    try:
-        content = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: {error.strerror}; expected the description of a figure") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: is no TOML file: {error}") from error
+    content = read_toml(path, "the description of a figure")
     try:
         return figure_of(content)
     except InputError as error:
