@@ -19,6 +19,17 @@ std::int64_t timed(const Phase& phase) {
         .count();
 }
 
+// Of the clearance: who moves less than that may sleep (Integration::still). What a step does then differs from
+// the full simulation by less than a tenth of the clearance (tests/experiments/sleep_test.cpp).
+constexpr double still = 0.02;
+
+Integration integration(const SpringSettings& springs, const CycleSettings& cycle) {
+    return {.dt = cycle.dt(),
+            .damping = springs.damping,
+            .substeps = springs.substeps,
+            .still = springs.sleep ? still * cycle.clearance : 0};
+}
+
 }  // namespace
 
 CycleStart start_at_rest(const Organ& organ, const Pose& tool) {
@@ -33,9 +44,8 @@ Cycle::Cycle(const Organ& organ, const Tool& tool, CycleStart start, const Cycle
              const SpringSettings& springs)
     : settings_(cycle),
       detector_(organ),
-      integrator_(surface_springs(organ, springs), springs.damping, springs.substeps),
+      integrator_(surface_springs(organ, springs), std::move(start.organ), integration(springs, cycle)),
       organ_(organ),
-      state_(std::move(start.organ)),
       tool_(tool, start.tool),
       motion_(start.tool, start.tool),
       held_(std::move(start.held)) {
@@ -52,7 +62,8 @@ void Cycle::move(const Pose& next) {
 
 void Cycle::detect() {
     times_.detect = timed([&] {
-        detector_.detect(state_.positions, tool_.tool(), motion_, detected_);
+        detector_.follow(integrator_.moved_patches(), positions());
+        detector_.detect(positions(), tool_.tool(), motion_, detected_);
         release_held();
     });
 }
@@ -62,15 +73,14 @@ void Cycle::release_held() {
         held_.clear();
         return;
     }
-    std::erase_if(held_, [&](Index vertex) {
-        return !tool_.within(state_.positions[vertex], 2 * settings_.clearance);
-    });
+    std::erase_if(held_,
+                  [&](Index vertex) { return !tool_.within(positions()[vertex], 2 * settings_.clearance); });
 }
 
 Contact Cycle::contact() const {
     return {.organ = organ_,
-            .positions = state_.positions,
-            .velocities = state_.velocities,
+            .positions = positions(),
+            .velocities = velocities(),
             .tool = tool_,
             .motion = motion_,
             .collided = detected_.collided,
@@ -87,13 +97,13 @@ void Cycle::handle(const Handler& handler) {
         response_.clear();
         handler(found, response_);
     });
-    check_response(response_, state_.positions.size());
+    check_response(response_, positions().size());
     apply_response();
 }
 
 void Cycle::apply_response() {
     for (const auto& [vertex, displacement] : response_.displacements) {
-        state_.positions[vertex] += displacement;
+        integrator_.put(vertex, positions()[vertex] + displacement);
         held_.push_back(vertex);
     }
     std::ranges::sort(held_);
@@ -104,7 +114,6 @@ void Cycle::apply_response() {
 void Cycle::deform() {
     times_.deform = timed([&] {
         integrator_.step(
-            state_, settings_.dt(),
             {.kinematic = held_, .forces = response_.forces, .half_spaces = response_.half_spaces});
     });
 }

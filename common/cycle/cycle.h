@@ -67,15 +67,17 @@ class Cycle {
     /// the step found it, afterwards as it was moved.
     [[nodiscard]] Contact contact() const;
     /// Of every organ vertex, mm; a view of the organ as it is now.
-    [[nodiscard]] std::span<const Vec3> positions() const { return state_.positions; }
+    [[nodiscard]] std::span<const Vec3> positions() const { return integrator_.state().positions; }
     /// Of every organ vertex, mm/s.
-    [[nodiscard]] std::span<const Vec3> velocities() const { return state_.velocities; }
+    [[nodiscard]] std::span<const Vec3> velocities() const { return integrator_.state().velocities; }
     [[nodiscard]] const PlacedTool& tool() const { return tool_; }
     [[nodiscard]] const ToolMotion& motion() const { return motion_; }
     [[nodiscard]] const Detected& detected() const { return detected_; }
     [[nodiscard]] const Response& response() const { return response_; }
     /// Vertices that are kinematic in this step because they were handled, ascending.
     [[nodiscard]] std::span<const Index> held() const { return held_; }
+    /// Share of the organ's vertices that did not sleep when the last step ended, in [0, 1].
+    [[nodiscard]] double awake_share() const { return integrator_.awake_share(); }
     [[nodiscard]] const PhaseTimes& times() const { return times_; }
 
   private:
@@ -86,7 +88,6 @@ class Cycle {
     Detector detector_;
     XpbdIntegrator integrator_;
     const Organ& organ_;
-    OrganState state_;
     PlacedTool tool_;
     ToolMotion motion_;
     Detected detected_;

@@ -40,6 +40,7 @@ SpringNetwork surface_springs(const Organ& organ, const SpringSettings& settings
         const double length = (network.rest[a] - network.rest[b]).norm();
         network.springs.push_back({a, b, length, settings.edge_stiffness});
     }
+    for (const Patch& patch : organ.patches) network.patches.push_back(patch.vertices);
     return network;
 }
 

@@ -17,6 +17,9 @@ struct SpringSettings {
     double rest_stiffness = 100;  ///< of the springs to the rest shape, per area, g/(s²·mm²)
     double damping = 4000;        ///< rate at which the velocity of a free mass decays, 1/s
     int substeps = 10;            ///< of one step of the cycle
+    /// Whether what lies still may sleep: only what moves, or is near something that does, is integrated.
+    /// Without it every vertex is, in every step: the full simulation.
+    bool sleep = true;
 };
 
 /// Point masses with springs between them and springs to their rest positions.
@@ -33,6 +36,8 @@ struct SpringNetwork {
     std::vector<double> rest_stiffness;  ///< of each vertex's spring to its rest position, g/s²
     std::vector<bool> fixed;             ///< vertices that stay at rest unless something moves them by force
     std::vector<Spring> springs;
+    std::vector<std::vector<Index>> patches;  ///< vertices that fall asleep and wake together; those of none
+                                              ///< are a patch of their own
 };
 
 /// The springs of an organ: one along every edge, one from every vertex to its rest position (surface springs

@@ -1,19 +1,60 @@
 #include "common/deformation/xpbd.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace trocar {
+namespace {
 
-XpbdIntegrator::XpbdIntegrator(SpringNetwork network, double damping, int substeps)
+// A patch may be still for a moment where it swings back: it has to be so for some time (s).
+constexpr double calm_time = 0.1;
+// Still is who goes no further than Integration::still in this time (s), whatever the length of a step.
+constexpr double still_time = 1.0 / 30;
+
+Eigen::Vector4d four(const Vec3& v, double last) { return {v.x(), v.y(), v.z(), last}; }
+
+}  // namespace
+
+XpbdIntegrator::XpbdIntegrator(SpringNetwork network, OrganState start, const Integration& settings)
     : network_(std::move(network)),
-      damping_(damping),
-      substeps_(substeps),
-      inverse_masses_(network_.rest.size()),
-      accelerations_(network_.rest.size(), Vec3::Zero()),
-      before_(network_.rest.size()) {
-    if (!(damping >= 0)) throw std::invalid_argument("damping must not be negative");
-    if (substeps < 1) throw std::invalid_argument("at least one substep is needed");
+      settings_(settings),
+      layout_(lay_out(network_)),
+      awake_(layout_),
+      state_(std::move(start)),
+      h_(settings.dt / settings.substeps),
+      positions_(network_.rest.size()),
+      before_(network_.rest.size()),
+      rest_(network_.rest.size()),
+      velocities_(network_.rest.size()),
+      rest_shares_(network_.rest.size()),
+      held_in_(network_.rest.size(), 0),
+      free_masses_(network_.rest.size()),
+      links_(layout_.springs.size()),
+      speeds_(layout_.patches()),
+      calm_steps_(layout_.patches(), 0),
+      touched_in_(layout_.patches(), 0),
+      moved_in_(layout_.patches(), 0),
+      looked_at_in_(layout_.patches(), 0),
+      wished_in_(layout_.patches(), 0),
+      anchors_(layout_.outer.total()) {
+    check_input();
+    for (auto* list : {&held_, &touched_}) list->reserve(network_.rest.size());
+    for (auto* list : {&moved_, &sleepy_, &to_wake_}) list->reserve(layout_.patches());
+    place(state_);
+    set_substep();
+}
+
+void XpbdIntegrator::check_input() const {
+    if (!(settings_.dt > 0)) throw std::invalid_argument("the step must be positive");
+    if (!(settings_.damping >= 0)) throw std::invalid_argument("damping must not be negative");
+    if (settings_.substeps < 1) throw std::invalid_argument("at least one substep is needed");
+    if (state_.positions.size() != network_.rest.size() || state_.velocities.size() != network_.rest.size()) {
+        throw std::invalid_argument("the state is of another number of vertices than the network");
+    }
     for (std::size_t vertex = 0; vertex < network_.masses.size(); ++vertex) {
         if (network_.masses[vertex] > 0) continue;
         throw std::invalid_argument("vertex " + std::to_string(vertex) +
@@ -21,92 +62,360 @@ XpbdIntegrator::XpbdIntegrator(SpringNetwork network, double damping, int subste
     }
 }
 
-void XpbdIntegrator::step(OrganState& state, double dt, const StepLoad& load) {
-    const double h = dt / substeps_;
-    set_inverse_masses(state, load.kinematic, h);
-    for (const VertexForce& f : load.forces) {
-        accelerations_[f.vertex] = f.force * inverse_masses_[f.vertex];
-    }
-    for (int k = 0; k < substeps_; ++k) {
-        predict(state, h);
-        project_springs(state.positions, h);
-        project_to_rest(state.positions, h);
-        project_half_spaces(state.positions, load.half_spaces);
-        for (std::size_t vertex = 0; vertex < state.positions.size(); ++vertex) {
-            state.velocities[vertex] = (state.positions[vertex] - before_[vertex]) / h;
+/// What is at rest is taken to have fallen asleep there, and everything else to have just moved.
+void XpbdIntegrator::place(const OrganState& start) {
+    std::vector<std::uint32_t> moving;
+    for (std::uint32_t patch = 0; patch < layout_.patches(); ++patch) {
+        bool at_rest = settings_.still > 0;
+        for (std::uint32_t slot = layout_.patch_begins[patch]; slot < layout_.patch_begins[patch + 1];
+             ++slot) {
+            const Index vertex = layout_.vertex_of[slot];
+            const Vec3 &position = start.positions[vertex], &velocity = start.velocities[vertex];
+            positions_[slot] = before_[slot] = four(position, 0);
+            rest_[slot] = four(network_.rest[vertex], 0);
+            velocities_[slot] = four(velocity, 0);
+            at_rest = at_rest && position == network_.rest[vertex] && velocity == Vec3::Zero();
+            // What is fixed and elsewhere goes back in the first step, unless it is held there.
+            if (network_.fixed[vertex]) held_.push_back(slot);
+        }
+        if (!at_rest) moving.push_back(patch);
+        const auto outer = layout_.outer[patch];
+        for (std::size_t k = 0; k < outer.size(); ++k) {
+            anchors_[layout_.outer.begin(patch) + k] = network_.rest[layout_.vertex_of[outer[k]]];
         }
     }
-    for (const VertexForce& f : load.forces) accelerations_[f.vertex] = Vec3::Zero();
+    awake_.wake(moving);
+    note_moved(moving);
 }
 
-void XpbdIntegrator::set_inverse_masses(OrganState& state, std::span<const Index> kinematic, double h) {
-    for (std::size_t vertex = 0; vertex < inverse_masses_.size(); ++vertex) {
-        inverse_masses_[vertex] = 1 / (network_.masses[vertex] * (1 + damping_ * h));
-        if (network_.fixed[vertex]) inverse_masses_[vertex] = 0;
+void XpbdIntegrator::put(Index vertex, const Vec3& position) {
+    const std::uint32_t slot = layout_.slot_of[vertex], patch = layout_.patch_of[slot];
+    state_.positions[vertex] = position;
+    positions_[slot].head<3>() = position;
+    touch(patch);
+    note_moved({&patch, 1});
+}
+
+void XpbdIntegrator::note_moved(std::span<const std::uint32_t> patches) {
+    for (const std::uint32_t patch : patches) {
+        if (moved_in_[patch] == step_) continue;
+        moved_in_[patch] = step_;
+        moved_.push_back(patch);
     }
-    at_rest_.assign(network_.fixed.begin(), network_.fixed.end());
+}
+
+void XpbdIntegrator::step(const StepLoad& load) {
+    hold(load.kinematic);
+    wake_touched(load);
+    std::ranges::fill(speeds_, 0);
+    for (int k = 0; k < settings_.substeps; ++k) {
+        predict();
+        push(load.forces);
+        project_springs();
+        pull_to_rest();
+        keep_out(load.half_spaces);
+        wake_what_neighbours_moved();
+    }
+    write_back();
+    moved_.assign(awake_.patches().begin(), awake_.patches().end());
+    let_sleep();
+    ++step_;
+    for (const std::uint32_t patch : moved_) moved_in_[patch] = step_;
+}
+
+/// Prepares what depends on the length of a substep.
+void XpbdIntegrator::set_substep() {
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+        const auto& [a, b, level, rest_length, stiffness] = layout_.springs[k];
+        links_[k] = {a, b, rest_length, 1 / (stiffness * h_ * h_)};
+    }
+    for (std::uint32_t slot = 0; slot < positions_.size(); ++slot) {
+        const Index vertex = layout_.vertex_of[slot];
+        const double mass = network_.masses[vertex] * (1 + settings_.damping * h_);
+        free_masses_[slot] = network_.fixed[vertex] ? 0 : 1 / mass;
+        set_inverse_mass(slot);
+    }
+}
+
+/// Sets what depends on whether a vertex is free now: its inverse mass, and the share that its spring to rest
+/// takes.
+void XpbdIntegrator::set_inverse_mass(std::uint32_t slot) {
+    const double w = awake_.awake(layout_.patch_of[slot]) && !held(slot) ? free_masses_[slot] : 0;
+    const double stiffness = network_.rest_stiffness[layout_.vertex_of[slot]];
+    positions_[slot][3] = rest_[slot][3] = w;
+    rest_shares_[slot] = w == 0 || stiffness == 0 ? 0 : w / (w + 1 / (stiffness * h_ * h_));
+}
+
+void XpbdIntegrator::set_inverse_masses(std::uint32_t patch) {
+    for (std::uint32_t slot = layout_.patch_begins[patch]; slot < layout_.patch_begins[patch + 1]; ++slot) {
+        set_inverse_mass(slot);
+    }
+}
+
+/// Makes these vertices kinematic and lets go of those that are no more.
+void XpbdIntegrator::hold(std::span<const Index> kinematic) {
     for (const Index vertex : kinematic) {
-        inverse_masses_[vertex] = 0;
-        at_rest_[vertex] = false;
-        state.velocities[vertex] = Vec3::Zero();
+        const std::uint32_t slot = layout_.slot_of[vertex];
+        const bool held_before = step_ > 1 && held_in_[slot] == step_ - 1;
+        held_in_[slot] = step_;
+        velocities_[slot].setZero();
+        state_.velocities[vertex] = Vec3::Zero();
+        if (held_before) continue;
+        set_inverse_mass(slot);
+        touch(layout_.patch_of[slot]);
     }
-    // What is fixed and was moved goes back when nothing holds it any more.
-    for (std::size_t vertex = 0; vertex < at_rest_.size(); ++vertex) {
-        if (!at_rest_[vertex]) continue;
-        state.positions[vertex] = network_.rest[vertex];
-        state.velocities[vertex] = Vec3::Zero();
+    for (const std::uint32_t slot : held_) {
+        if (held_in_[slot] != step_) release(slot);
+    }
+    held_.clear();
+    for (const Index vertex : kinematic) held_.push_back(layout_.slot_of[vertex]);
+}
+
+/// What is fixed and was moved goes back when nothing holds it any more.
+void XpbdIntegrator::release(std::uint32_t slot) {
+    const Index vertex = layout_.vertex_of[slot];
+    set_inverse_mass(slot);
+    if (network_.fixed[vertex]) {
+        if (state_.positions[vertex] == network_.rest[vertex] && velocities_[slot].isZero(0)) return;
+        put(vertex, network_.rest[vertex]);
+        velocities_[slot].setZero();
+    }
+    touch(layout_.patch_of[slot]);
+}
+
+/// Notes that something acts on a patch in this step.
+void XpbdIntegrator::touch(std::uint32_t patch) {
+    if (touched_in_[patch] == step_) return;
+    touched_in_[patch] = step_;
+    touched_.push_back(patch);
+}
+
+/// Within a substep what happens in a patch reaches into those around it: they wake with it.
+void XpbdIntegrator::wake_touched(const StepLoad& load) {
+    if (settings_.still == 0) return touched_.clear();
+    for (const VertexForce& f : load.forces) touch(layout_.patch_of[layout_.slot_of[f.vertex]]);
+    for (const HalfSpace& allowed : load.half_spaces)
+        touch(layout_.patch_of[layout_.slot_of[allowed.vertex]]);
+    begin_wishes();
+    for (const std::uint32_t patch : touched_) {
+        want_awake(patch);
+        for (const std::uint32_t next : layout_.neighbours[patch]) want_awake(next);
+    }
+    touched_.clear();
+    wake(to_wake_);
+    wake_what_is_strained(awake_.patches());
+    wake_what_neighbours_moved();
+}
+
+void XpbdIntegrator::begin_wishes() {
+    ++look_;
+    to_wake_.clear();
+}
+
+void XpbdIntegrator::want_awake(std::uint32_t patch) {
+    if (awake_.awake(patch) || wished_in_[patch] == look_) return;
+    wished_in_[patch] = look_;
+    to_wake_.push_back(patch);
+}
+
+void XpbdIntegrator::wake_what_neighbours_moved() {
+    if (settings_.still == 0) return;
+    begin_wishes();
+    for (const std::uint32_t patch : awake_.patches()) {
+        for (const std::uint32_t next : layout_.neighbours[patch]) {
+            if (awake_.awake(next) || looked_at_in_[next] == look_) continue;
+            looked_at_in_[next] = look_;
+            if (neighbours_moved(next)) want_awake(next);
+        }
+    }
+    wake_what_is_strained(wake(to_wake_));
+}
+
+/// Wakes what strained springs join to these patches, all awake, and what they join to that, and so on.
+void XpbdIntegrator::wake_what_is_strained(std::span<const std::uint32_t> patches) {
+    while (!patches.empty()) {
+        begin_wishes();
+        for (const std::uint32_t patch : patches) {
+            for (const std::uint32_t k : layout_.springs_at[patch]) {
+                const Link& link = links_[k];
+                const std::uint32_t other = layout_.patch_of[link.a] == patch ? link.b : link.a;
+                if (awake_.awake(layout_.patch_of[other])) continue;
+                if (strained(link, other)) want_awake(layout_.patch_of[other]);
+            }
+        }
+        patches = wake(to_wake_);
     }
 }
 
-void XpbdIntegrator::predict(OrganState& state, double h) {
-    const double kept = 1 / (1 + damping_ * h);
-    before_ = state.positions;
-    for (std::size_t vertex = 0; vertex < state.positions.size(); ++vertex) {
-        state.positions[vertex] += h * (kept * state.velocities[vertex] + h * accelerations_[vertex]);
+/// Whether a spring would move the free vertex at this end of it by more than what counts as still.
+bool XpbdIntegrator::strained(const Link& link, std::uint32_t slot) const {
+    const double w_a = held(link.a) ? 0 : free_masses_[link.a];
+    const double w_b = held(link.b) ? 0 : free_masses_[link.b];
+    const double w = slot == link.a ? w_a : w_b;
+    const double length = (positions_[link.b] - positions_[link.a]).head<3>().norm();
+    return w * std::abs(length - link.rest_length) > settings_.still * (w_a + w_b + link.compliance);
+}
+
+/// Whether a vertex that a spring joins to a sleeping patch is elsewhere than when it fell asleep.
+bool XpbdIntegrator::neighbours_moved(std::uint32_t patch) const {
+    const double still = settings_.still * settings_.still;
+    const Vec3* anchor = &anchors_[layout_.outer.begin(patch)];
+    for (const std::uint32_t slot : layout_.outer[patch]) {
+        if (!((positions_[slot].head<3>() - *anchor++).squaredNorm() <= still)) return true;
+    }
+    return false;
+}
+
+/// @returns those that were asleep, until something wakes or falls asleep again
+std::span<const std::uint32_t> XpbdIntegrator::wake(std::span<const std::uint32_t> patches) {
+    const std::span<const std::uint32_t> woken = awake_.wake(patches);
+    for (const std::uint32_t patch : woken) {
+        calm_steps_[patch] = 0;
+        set_inverse_masses(patch);
+    }
+    return woken;
+}
+
+void XpbdIntegrator::predict() {
+    const double kept = 1 / (1 + settings_.damping * h_);
+    for (const std::uint32_t patch : awake_.patches()) {
+        for (std::uint32_t slot = layout_.patch_begins[patch]; slot < layout_.patch_begins[patch + 1];
+             ++slot) {
+            before_[slot] = positions_[slot];
+            positions_[slot] += h_ * (kept * velocities_[slot]);
+        }
     }
 }
 
-void XpbdIntegrator::project_springs(std::vector<Vec3>& positions, double h) const {
-    for (const SpringNetwork::Spring& spring : network_.springs) {
-        const double w_a = inverse_masses_[spring.a], w_b = inverse_masses_[spring.b];
-        const Vec3 along = positions[spring.b] - positions[spring.a];
+void XpbdIntegrator::push(std::span<const VertexForce> forces) {
+    const double kept = 1 / (1 + settings_.damping * h_);
+    for (const VertexForce& f : forces) {
+        const std::uint32_t slot = layout_.slot_of[f.vertex];
+        const Slot acceleration = four(f.force * positions_[slot][3], 0);
+        positions_[slot] = before_[slot] + h_ * (kept * velocities_[slot] + h_ * acceleration);
+    }
+}
+
+void XpbdIntegrator::project_springs() {
+    for (const auto& [level, spring] : awake_.springs()) {
+        const auto& [slot_a, slot_b, rest_length, compliance] = links_[spring];
+        Slot &a = positions_[slot_a], &b = positions_[slot_b];
+        const double w_a = a[3], w_b = b[3];
+        const Vec3 along = b.head<3>() - a.head<3>();
         const double length = along.norm();
         if (w_a + w_b == 0 || length == 0) continue;
-        const double compliance = 1 / (spring.stiffness * h * h);
-        const Vec3 pull = along * ((length - spring.rest_length) / (length * (w_a + w_b + compliance)));
-        positions[spring.a] += w_a * pull;
-        positions[spring.b] -= w_b * pull;
+        const Vec3 pull = along * ((length - rest_length) / (length * (w_a + w_b + compliance)));
+        a.head<3>() += w_a * pull;
+        b.head<3>() -= w_b * pull;
     }
 }
 
-void XpbdIntegrator::project_to_rest(std::vector<Vec3>& positions, double h) const {
-    for (std::size_t vertex = 0; vertex < positions.size(); ++vertex) {
-        const double w = inverse_masses_[vertex], stiffness = network_.rest_stiffness[vertex];
-        if (w == 0 || stiffness == 0) continue;
-        positions[vertex] +=
-            (network_.rest[vertex] - positions[vertex]) * (w / (w + 1 / (stiffness * h * h)));
+/// Ends the substep but for half-spaces: the springs to rest, and the velocities.
+void XpbdIntegrator::pull_to_rest() {
+    for (const std::uint32_t patch : awake_.patches()) {
+        double fastest = speeds_[patch];
+        for (std::uint32_t slot = layout_.patch_begins[patch]; slot < layout_.patch_begins[patch + 1];
+             ++slot) {
+            positions_[slot] += (rest_[slot] - positions_[slot]) * rest_shares_[slot];
+            velocities_[slot] = (positions_[slot] - before_[slot]) / h_;
+            fastest = std::max(fastest, velocities_[slot].squaredNorm());
+        }
+        speeds_[patch] = fastest;
     }
 }
 
-void XpbdIntegrator::project_half_spaces(std::vector<Vec3>& positions,
-                                         std::span<const HalfSpace> half_spaces) const {
+void XpbdIntegrator::keep_out(std::span<const HalfSpace> half_spaces) {
     for (const HalfSpace& allowed : half_spaces) {
-        if (inverse_masses_[allowed.vertex] == 0) continue;
-        const double above = allowed.normal.dot(positions[allowed.vertex] - allowed.point);
-        if (above < 0) positions[allowed.vertex] -= above * allowed.normal;
+        const std::uint32_t slot = layout_.slot_of[allowed.vertex];
+        if (positions_[slot][3] == 0) continue;
+        const double above = allowed.normal.dot(positions_[slot].head<3>() - allowed.point);
+        if (above < 0) positions_[slot].head<3>() -= above * allowed.normal;
+        velocities_[slot] = (positions_[slot] - before_[slot]) / h_;
     }
 }
 
-double XpbdIntegrator::energy(const OrganState& state) const {
+void XpbdIntegrator::write_back() {
+    for (const std::uint32_t patch : awake_.patches()) {
+        for (std::uint32_t slot = layout_.patch_begins[patch]; slot < layout_.patch_begins[patch + 1];
+             ++slot) {
+            const Index vertex = layout_.vertex_of[slot];
+            state_.positions[vertex] = positions_[slot].head<3>();
+            state_.velocities[vertex] = velocities_[slot].head<3>();
+        }
+    }
+}
+
+void XpbdIntegrator::let_sleep() {
+    if (settings_.still == 0) return;
+    const double slow = settings_.still / still_time;
+    for (const std::uint32_t patch : awake_.patches()) {
+        const bool calm = touched_in_[patch] != step_ && speeds_[patch] <= slow * slow;
+        calm_steps_[patch] = calm ? calm_steps_[patch] + 1 : 0;
+    }
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const std::uint32_t patch : awake_.patches()) {
+            if (!may_sleep(patch) || !strained_towards_awake(patch)) continue;
+            calm_steps_[patch] = steps_to_sleep() - 1;
+            changed = true;
+        }
+    }
+    sleepy_.clear();
+    std::ranges::copy_if(awake_.patches(), std::back_inserter(sleepy_),
+                         [&](std::uint32_t patch) { return may_sleep(patch); });
+    awake_.let_sleep(sleepy_);
+    for (const std::uint32_t patch : sleepy_) fall_asleep(patch);
+}
+
+bool XpbdIntegrator::may_sleep(std::uint32_t patch) const {
+    return calm_steps_[patch] >= steps_to_sleep();
+}
+
+std::uint32_t XpbdIntegrator::steps_to_sleep() const {
+    return static_cast<std::uint32_t>(std::ceil(calm_time / settings_.dt - 1e-9));
+}
+
+/// Whether a strained spring joins a patch that may sleep to one that stays awake.
+bool XpbdIntegrator::strained_towards_awake(std::uint32_t patch) const {
+    return std::ranges::any_of(layout_.springs_at[patch], [&](std::uint32_t k) {
+        const Link& link = links_[k];
+        const bool a_is_own = layout_.patch_of[link.a] == patch;
+        const std::uint32_t other = layout_.patch_of[a_is_own ? link.b : link.a];
+        return other != patch && awake_.awake(other) && !may_sleep(other) &&
+               strained(link, a_is_own ? link.a : link.b);
+    });
+}
+
+void XpbdIntegrator::fall_asleep(std::uint32_t patch) {
+    set_inverse_masses(patch);
+    for (std::uint32_t slot = layout_.patch_begins[patch]; slot < layout_.patch_begins[patch + 1]; ++slot) {
+        velocities_[slot].setZero();
+        state_.velocities[layout_.vertex_of[slot]].setZero();
+    }
+    const auto outer = layout_.outer[patch];
+    for (std::size_t k = 0; k < outer.size(); ++k) {
+        anchors_[layout_.outer.begin(patch) + k] = positions_[outer[k]].head<3>();
+    }
+}
+
+double XpbdIntegrator::awake_share() const {
+    std::size_t awake = 0;
+    for (const std::uint32_t patch : awake_.patches()) {
+        awake += layout_.patch_begins[patch + 1] - layout_.patch_begins[patch];
+    }
+    return static_cast<double>(awake) / static_cast<double>(positions_.size());
+}
+
+double XpbdIntegrator::energy() const {
     double twice = 0;
-    for (std::size_t vertex = 0; vertex < state.positions.size(); ++vertex) {
-        twice += network_.masses[vertex] * state.velocities[vertex].squaredNorm();
-        twice +=
-            network_.rest_stiffness[vertex] * (state.positions[vertex] - network_.rest[vertex]).squaredNorm();
+    for (std::size_t vertex = 0; vertex < network_.rest.size(); ++vertex) {
+        twice += network_.masses[vertex] * state_.velocities[vertex].squaredNorm();
+        twice += network_.rest_stiffness[vertex] *
+                 (state_.positions[vertex] - network_.rest[vertex]).squaredNorm();
     }
     for (const SpringNetwork::Spring& spring : network_.springs) {
         const double stretch =
-            (state.positions[spring.b] - state.positions[spring.a]).norm() - spring.rest_length;
+            (state_.positions[spring.b] - state_.positions[spring.a]).norm() - spring.rest_length;
         twice += spring.stiffness * stretch * stretch;
     }
     return twice / 2;

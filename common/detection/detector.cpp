@@ -2,33 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/geometry/shape/box.h>
-#include <fcl/narrowphase/collision_object.h>
-
-#include "common/detection/patches.h"
+#include "common/detection/patch_tree.h"
+#include "common/geometry/number_lists.h"
+#include "common/geometry/patches.h"
 
 namespace trocar {
 namespace {
-
-// Measured on 7,200 to 80,000 facets: refitting and colliding FCL's triangle trees costs more than looking at
-// every facet of the few patches near the tool, so patches are as small as FCL's manager stays cheap.
-constexpr std::size_t largest_patch = 128;
-
-/// An FCL object that stands for a box in the world.
-struct BoxObject {
-    std::shared_ptr<fcl::Boxd> shape = std::make_shared<fcl::Boxd>(1, 1, 1);
-    fcl::CollisionObjectd object{shape};
-
-    void set(const Box& box) {
-        shape->side = box.size();
-        shape->computeLocalAABB();
-        object.setTranslation(box.centre());
-        object.computeAABB();
-    }
-};
 
 Box world_box(const Box& in_tool, const Pose& pose) {
     Box box;
@@ -37,7 +17,8 @@ Box world_box(const Box& in_tool, const Pose& pose) {
                                (corner & 2) != 0 ? in_tool.high.y() : in_tool.low.y(),
                                (corner & 4) != 0 ? in_tool.high.z() : in_tool.low.z()}));
     }
-    return box;
+    // From there a vertex is judged in the tool's frame: what rounding brings in there has to be in here.
+    return box.grown(1e-9 * (1 + box.low.norm() + box.high.norm()));
 }
 
 /// Where the tool was and is in this step, in its own frame at the end of the step.
@@ -49,45 +30,66 @@ Box swept_box(const Tool& tool, const ToolMotion& motion) {
     return swept;
 }
 
+/// For each patch those with a facet that has a vertex of it: their boxes follow it.
+NumberLists users_of(const Organ& organ) {
+    const std::vector<Index> patch_of = patch_of_vertices(organ.patches, organ.rest.positions.size());
+    std::vector<std::vector<std::uint32_t>> users(organ.patches.size());
+    for (std::uint32_t user = 0; user < organ.patches.size(); ++user) {
+        for (const Index facet : organ.patches[user].facets) {
+            for (const Index vertex : organ.rest.facets[facet]) {
+                auto& of_patch = users[patch_of[vertex]];
+                if (of_patch.empty() || of_patch.back() != user) of_patch.push_back(user);
+            }
+        }
+    }
+    NumberLists lists;
+    for (const auto& of_patch : users) lists.add(of_patch);
+    return lists;
+}
+
+/// The vertices of each patch's facets, each once.
+NumberLists corners_of(const Organ& organ) {
+    NumberLists lists;
+    for (const Patch& patch : organ.patches) {
+        std::vector<std::uint32_t> corners;
+        for (const Index facet : patch.facets) {
+            for (const Index vertex : organ.rest.facets[facet]) {
+                corners.push_back(static_cast<std::uint32_t>(vertex));
+            }
+        }
+        std::ranges::sort(corners);
+        const auto repeated = std::ranges::unique(corners);
+        corners.erase(repeated.begin(), repeated.end());
+        lists.add(corners);
+    }
+    return lists;
+}
+
+Box box_around(std::span<const std::uint32_t> vertices, std::span<const Vec3> positions) {
+    Box box;
+    for (const std::uint32_t vertex : vertices) box.add(positions[vertex]);
+    return box;
+}
+
+std::vector<Box> boxes_around(const NumberLists& corners, std::span<const Vec3> positions) {
+    std::vector<Box> boxes;
+    for (std::size_t k = 0; k < corners.size(); ++k) boxes.push_back(box_around(corners[k], positions));
+    return boxes;
+}
+
 }  // namespace
 
 struct Detector::World {
-    World(const Organ& the_organ)
+    explicit World(const Organ& the_organ)
         : organ(the_organ),
-          patches(split_into_patches(the_organ, largest_patch)),
-          boxes(patches.size()),
-          judged(the_organ.rest.positions.size()),
-          judged_in(the_organ.rest.positions.size(), 0),
-          inside(the_organ.rest.positions.size(), false) {
-        for (std::size_t k = 0; k < patches.size(); ++k) {
-            fit(k, organ.rest.positions);
-            boxes[k].object.setUserData(&patches[k]);
-            manager.registerObject(&boxes[k].object);
-        }
-        manager.setup();
-    }
-
-    void fit(std::size_t k, std::span<const Vec3> positions) {
-        Box box;
-        for (const Index facet : patches[k].facets) {
-            for (const Index vertex : organ.rest.facets[facet]) box.add(positions[vertex]);
-        }
-        // FCL keeps a box as centre and sides, which rounds: the margin keeps every vertex in it.
-        boxes[k].set(box.grown(1e-9 * (1 + box.low.norm() + box.high.norm())));
-    }
-
-    /// Patches whose box meets `box`, as FCL finds them.
-    std::vector<const Patch*> patches_near(const Box& box) {
-        BoxObject query;
-        query.set(box);
-        std::vector<const Patch*> near;
-        manager.collide(
-            &query.object, &near, [](fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* found) {
-                void* patch = a->getUserData() != nullptr ? a->getUserData() : b->getUserData();
-                static_cast<std::vector<const Patch*>*>(found)->push_back(static_cast<const Patch*>(patch));
-                return false;  // go on
-            });
-        return near;
+          users(users_of(organ)),
+          corners(corners_of(organ)),
+          tree(boxes_around(corners, organ.rest.positions)),
+          refitted_in(organ.patches.size(), 0),
+          judged(organ.rest.positions.size()),
+          judged_in(judged.size(), 0),
+          inside(judged.size(), false) {
+        near.reserve(organ.patches.size());
     }
 
     /// A vertex in the tool's frame, computed once a step.
@@ -100,9 +102,12 @@ struct Detector::World {
     }
 
     const Organ& organ;
-    std::vector<Patch> patches;
-    std::deque<BoxObject> boxes;  // a deque: FCL keeps pointers to them
-    fcl::DynamicAABBTreeCollisionManagerd manager;
+    NumberLists users;    // of each patch
+    NumberLists corners;  // of each patch
+    PatchTree tree;
+    std::vector<std::uint64_t> refitted_in;
+    std::uint64_t round = 0;  // of refitting
+    std::vector<std::uint32_t> near;
     std::vector<Vec3> judged;
     std::vector<std::uint64_t> judged_in;  // the step in which `judged` was computed
     std::vector<bool> inside;              // of the vertices in C; all false between steps
@@ -112,20 +117,37 @@ struct Detector::World {
 Detector::Detector(const Organ& organ) : world_(std::make_unique<World>(organ)) {}
 Detector::~Detector() = default;
 
+void Detector::follow(std::span<const std::uint32_t> patches, std::span<const Vec3> positions) {
+    World& world = *world_;
+    ++world.round;
+    for (const std::uint32_t patch : patches) {
+        for (const std::uint32_t user : world.users[patch]) {
+            if (world.refitted_in[user] == world.round) continue;
+            world.refitted_in[user] = world.round;
+            world.tree.set(user, box_around(world.corners[user], positions));
+        }
+    }
+}
+
+void Detector::follow_all(std::span<const Vec3> positions) {
+    for (std::uint32_t k = 0; k < world_->corners.size(); ++k) {
+        world_->tree.set(k, box_around(world_->corners[k], positions));
+    }
+}
+
 void Detector::detect(std::span<const Vec3> positions, const Tool& tool, const ToolMotion& motion,
                       Detected& found) {
-    found = {};
+    found.clear();
     World& world = *world_;
+    const Organ& organ = world.organ;
     ++world.step;
-    for (std::size_t k = 0; k < world.patches.size(); ++k) world.fit(k, positions);
-    world.manager.update();
-
     const Pose& pose = motion.after();
     const Box swept = swept_box(tool, motion);
-    const std::vector<const Patch*> near = world.patches_near(world_box(swept, pose));
+    world.near.clear();
+    world.tree.find(world_box(swept, pose), world.near);
 
-    for (const Patch* patch : near) {
-        for (const Index vertex : patch->vertices) {
+    for (const std::uint32_t patch : world.near) {
+        for (const Index vertex : organ.patches[patch].vertices) {
             const Vec3& at = world.judge(vertex, pose, positions);
             if (!swept.contains(at)) continue;
             found.near_vertices.push_back(vertex);
@@ -134,9 +156,9 @@ void Detector::detect(std::span<const Vec3> positions, const Tool& tool, const T
             world.inside[vertex] = true;
         }
     }
-    for (const Patch* patch : near) {
-        for (const Index facet : patch->facets) {
-            const auto [a, b, c] = world.organ.rest.facets[facet];
+    for (const std::uint32_t patch : world.near) {
+        for (const Index facet : organ.patches[patch].facets) {
+            const auto [a, b, c] = organ.rest.facets[facet];
             const Vec3 &at_a = world.judge(a, pose, positions), &at_b = world.judge(b, pose, positions),
                        &at_c = world.judge(c, pose, positions);
             Box box;

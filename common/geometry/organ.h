@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/geometry/adjacency.h"
+#include "common/geometry/patches.h"
 #include "common/geometry/surface_mesh.h"
 
 namespace trocar {
@@ -31,6 +32,7 @@ struct Organ {
     Adjacency adjacency;
     std::vector<Vec3> rest_normals;  ///< outer unit normal of each facet at rest
     std::vector<double> rest_areas;  ///< area of each facet at rest, mm²
+    std::vector<Patch> patches;      ///< of the surface at rest
     std::optional<Mouth> mouth;      ///< of an organ with a cleft
     std::optional<Outline> outline;  ///< of an open sheet made by formula
 };

@@ -28,22 +28,23 @@ class Pushed {
         : tool_(inputs.tool),
           direction_(direction),
           clearance_(clearance),
-          dt_(inputs.dt),
           detector_(inputs.organ),
-          integrator_(surface_springs(inputs.organ, springs), springs.damping, springs.substeps),
-          at_(start_at_rest(inputs.organ, start)) {}
+          integrator_(
+              surface_springs(inputs.organ, springs), start_at_rest(inputs.organ, start).organ,
+              {.dt = inputs.dt, .damping = springs.damping, .substeps = springs.substeps, .still = 0}),
+          pose_(start) {}
 
     /// Puts the tool there, clears it and lets the organ relax until it is quiet and no vertex is inside.
     void push_to(const Pose& pose, double quiet) {
-        at_.tool = pose;
+        pose_ = pose;
         for (int step = 0; step < most_steps; ++step) {
             const bool cleared = clear();
-            const std::vector<Vec3> before = at_.organ.positions;
+            const std::vector<Vec3> before = integrator_.state().positions;
             const std::vector<Index> held(held_.begin(), held_.end());
-            integrator_.step(at_.organ, dt_, {.kinematic = held, .forces = {}, .half_spaces = {}});
+            integrator_.step({.kinematic = held, .forces = {}, .half_spaces = {}});
             double longest = 0;
             for (std::size_t v = 0; v < before.size(); ++v) {
-                longest = std::max(longest, (at_.organ.positions[v] - before[v]).norm());
+                longest = std::max(longest, (integrator_.state().positions[v] - before[v]).norm());
             }
             if (cleared && longest <= quiet * clearance_ && clear()) return;
         }
@@ -51,20 +52,25 @@ class Pushed {
             "the organ did not come to rest around the inserted tool within {} steps", most_steps));
     }
 
-    CycleStart take() {
-        at_.held.assign(held_.begin(), held_.end());
-        std::ranges::fill(at_.organ.velocities, Vec3::Zero());
-        return std::move(at_);
+    [[nodiscard]] CycleStart start() const {
+        const std::vector<Vec3>& positions = integrator_.state().positions;
+        return {.tool = pose_,
+                .organ = {.positions = positions,
+                          .velocities = std::vector<Vec3>(positions.size(), Vec3::Zero())},
+                .held = {held_.begin(), held_.end()}};
     }
 
   private:
     /// Moves the vertices that are inside along the tool's way to the exit. @returns whether there was none
     bool clear() {
-        const PlacedTool tool(tool_, at_.tool);
-        detector_.detect(at_.organ.positions, tool_, ToolMotion(at_.tool, at_.tool), found_);
+        const PlacedTool tool(tool_, pose_);
+        const std::vector<Vec3>& positions = integrator_.state().positions;
+        detector_.follow(integrator_.moved_patches(), positions);
+        detector_.detect(positions, tool_, ToolMotion(pose_, pose_), found_);
         for (const Index vertex : found_.collided) {
-            Vec3& position = at_.organ.positions[vertex];
-            position += tool.exit_distance(position, direction_, clearance_) * direction_;
+            const Vec3& position = positions[vertex];
+            const double exit = tool.exit_distance(position, direction_, clearance_);
+            integrator_.put(vertex, position + exit * direction_);
             held_.insert(vertex);
         }
         return found_.collided.empty();
@@ -72,10 +78,10 @@ class Pushed {
 
     const Tool& tool_;
     Vec3 direction_;
-    double clearance_, dt_;
+    double clearance_;
     Detector detector_;
     XpbdIntegrator integrator_;
-    CycleStart at_;
+    Pose pose_;
     std::set<Index> held_;
     Detected found_;
 };
@@ -91,7 +97,7 @@ CycleStart reference_state(const SceneInputs& inputs, const Pose& start, const I
         pose.position -= insertion.length * (steps - step) / steps * insertion.direction;
         organ.push_to(pose, step < steps ? quiet_on_the_way : quiet_at_the_end);
     }
-    return organ.take();
+    return organ.start();
 }
 
 }  // namespace trocar

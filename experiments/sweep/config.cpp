@@ -51,6 +51,10 @@ const std::string& as_text(const ConfigValue& value, std::string_view what) {
     return text;
 }
 
+bool as_flag(const ConfigValue& value, std::string_view what) {
+    return as<bool>(value, what, "true or false");
+}
+
 double as_number(const ConfigValue& value, std::string_view what) {
     if (const auto* whole = std::get_if<std::int64_t>(&value.content)) return static_cast<double>(*whole);
     const double number = as<double>(value, what, "a number");

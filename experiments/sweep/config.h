@@ -56,6 +56,7 @@ void check_keys(const ConfigTable& table, std::string_view kind, std::span<const
 /// The content of a value of the expected kind. `what` names the value in the PlacedError that another kind
 /// is answered with, such as "speeds".
 const std::string& as_text(const ConfigValue& value, std::string_view what);
+bool as_flag(const ConfigValue& value, std::string_view what);
 double as_number(const ConfigValue& value, std::string_view what);  ///< whole numbers too; finite
 std::int64_t as_whole_number(const ConfigValue& value, std::string_view what);
 const ConfigList& as_list(const ConfigValue& value, std::string_view what);  ///< with at least one element

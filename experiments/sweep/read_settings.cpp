@@ -91,8 +91,8 @@ int read_same_state(const ConfigTable& compare) {
 }
 
 SpringSettings read_springs(const ConfigTable& table) {
-    static const std::array<std::string, 6> keys{"density",   "edge_stiffness", "rest_stiffness",
-                                                 "stiffness", "damping",        "substeps"};
+    static const std::array<std::string, 7> keys{"density", "edge_stiffness", "rest_stiffness", "stiffness",
+                                                 "damping", "substeps",       "sleep"};
     check_keys(table, "key of [deformation]", keys);
     SpringSettings settings;
     read_positive(table, {"density", &settings.density});
@@ -107,6 +107,7 @@ SpringSettings read_springs(const ConfigTable& table) {
         }
         settings.substeps = static_cast<int>(substeps);
     }
+    if (const ConfigValue* value = find(table, "sleep")) settings.sleep = as_flag(*value, "sleep");
     return settings;
 }
 

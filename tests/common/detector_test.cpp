@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "common/detection/patches.h"
 #include "common/geometry/organ_shapes.h"
+#include "common/geometry/patches.h"
 #include "common/tool/tool_shapes.h"
 
 namespace trocar {
@@ -26,7 +26,7 @@ Detected detect(const Organ& organ, const Tool& tool, const Pose& before, const 
 TEST(Patches, HoldEveryFacetAndEveryVertexOnce) {
     const Organ organ = make_organ_by_formula("sphere@3mm");
     std::vector<int> facets(organ.rest.facets.size(), 0), vertices(organ.rest.positions.size(), 0);
-    for (const Patch& patch : split_into_patches(organ, 100)) {
+    for (const Patch& patch : split_into_patches(organ.rest, 100)) {
         EXPECT_LE(patch.facets.size(), 100U);
         for (const Index facet : patch.facets) ++facets[facet];
         for (const Index vertex : patch.vertices) ++vertices[vertex];
@@ -105,6 +105,7 @@ TEST(Detector, FollowsTheOrganAsItMoves) {
     detector.detect(positions, tool, still, found);
     EXPECT_THAT(found.collided, IsEmpty());
     for (Vec3& position : positions) position.z() += 30;
+    detector.follow_all(positions);
     detector.detect(positions, tool, still, found);
     EXPECT_THAT(found.collided, testing::Not(IsEmpty()));
 }

@@ -103,6 +103,7 @@ TEST(CaseId, ChangesWithEachInput) {
         [](CaseInputs& inputs) { inputs.springs.rest_stiffness *= 2; },
         [](CaseInputs& inputs) { inputs.springs.damping *= 2; },
         [](CaseInputs& inputs) { inputs.springs.substeps *= 2; },
+        [](CaseInputs& inputs) { inputs.springs.sleep = false; },
     };
     std::set<std::string> ids{case_id_of(base)};
     for (const auto& change : changes) {

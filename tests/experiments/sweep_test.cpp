@@ -43,6 +43,7 @@ edge_stiffness = 1000
 rest_stiffness = 50
 damping = 0
 substeps = 7
+sleep = false
 )");
     EXPECT_EQ(sweep.name, "my sweep");
     ASSERT_THAT(sweep.strategies, SizeIs(2));
@@ -68,6 +69,8 @@ substeps = 7
     EXPECT_THAT(sweep.stiffnesses, ElementsAre(1));
     EXPECT_EQ(sweep.springs.damping, 0);
     EXPECT_EQ(sweep.springs.substeps, 7);
+    EXPECT_FALSE(sweep.springs.sleep);
+    EXPECT_TRUE(SpringSettings{}.sleep);
 }
 
 TEST(ReadSweep, ACountOfSeedsStandsForTheFirstOnes) {
@@ -241,6 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"DeformationKey", "seeds = 2", "seeds = 2\n[deformation]\nsubstep = 3", "9:1",
                 "did you mean \"substeps\"?"},
         Mistake{"Substeps", "seeds = 2", "seeds = 2\n[deformation]\nsubsteps = 0", "9:12", "1 to 10000"},
+        Mistake{"Sleep", "seeds = 2", "seeds = 2\n[deformation]\nsleep = \"no\"", "9:9", "true or false"},
         Mistake{"Damping", "seeds = 2", "seeds = 2\n[deformation]\ndamping = -1", "9:11", "negative"},
         Mistake{"CompareKey", "seeds = 2", "seeds = 2\n[compare]\nsame_states = 3", "9:1",
                 "did you mean \"same_state\"?"},

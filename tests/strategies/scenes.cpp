@@ -59,8 +59,9 @@ std::shared_ptr<const Thing> shared(const std::string& formula, Thing (*make)(st
 }
 
 void detect(Scene& scene) {
-    Detector(*scene.organ)
-        .detect(scene.positions, *scene.tool, ToolMotion(scene.before, scene.after), scene.detected);
+    Detector detector(*scene.organ);
+    detector.follow_all(scene.positions);
+    detector.detect(scene.positions, *scene.tool, ToolMotion(scene.before, scene.after), scene.detected);
 }
 
 /// The organ at rest and the tool where it is made; nothing is detected yet.

@@ -1,4 +1,4 @@
-#include "common/detection/patches.h"
+#include "common/geometry/patches.h"
 
 #include <algorithm>
 #include <numeric>
@@ -29,12 +29,12 @@ void split(std::span<Index> facets, std::span<const Vec3> centroids, std::size_t
 
 }  // namespace
 
-std::vector<Patch> split_into_patches(const Organ& organ, std::size_t largest) {
-    const std::vector<Facet>& all = organ.rest.facets;
+std::vector<Patch> split_into_patches(const SurfaceMesh& mesh, std::size_t largest) {
+    const std::vector<Facet>& all = mesh.facets;
     std::vector<Vec3> centroids;
     centroids.reserve(all.size());
     for (const Facet& facet : all) {
-        const auto& p = organ.rest.positions;
+        const auto& p = mesh.positions;
         centroids.emplace_back((p[facet[0]] + p[facet[1]] + p[facet[2]]) / 3);
     }
     std::vector<Index> order(all.size());
@@ -42,7 +42,7 @@ std::vector<Patch> split_into_patches(const Organ& organ, std::size_t largest) {
     std::vector<Patch> patches;
     split(order, centroids, largest, patches);
 
-    std::vector<bool> taken(organ.rest.positions.size(), false);
+    std::vector<bool> taken(mesh.positions.size(), false);
     for (Patch& patch : patches) {
         for (const Index facet : patch.facets) {
             for (const Index vertex : all[facet]) {
@@ -53,6 +53,14 @@ std::vector<Patch> split_into_patches(const Organ& organ, std::size_t largest) {
         std::ranges::sort(patch.vertices);
     }
     return patches;
+}
+
+std::vector<Index> patch_of_vertices(std::span<const Patch> patches, std::size_t vertices) {
+    std::vector<Index> patch_of(vertices, -1);
+    for (std::size_t k = 0; k < patches.size(); ++k) {
+        for (const Index vertex : patches[k].vertices) patch_of[vertex] = static_cast<Index>(k);
+    }
+    return patch_of;
 }
 
 }  // namespace trocar
