@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/cycle/check_response.h"
-
 namespace trocar {
 namespace {
 
@@ -19,8 +17,8 @@ std::int64_t timed(const Phase& phase) {
         .count();
 }
 
-// Of the clearance: who moves less than that may sleep (Integration::still). What a step does then differs from
-// the full simulation by less than a tenth of the clearance (tests/experiments/sleep_test.cpp).
+// Of the clearance: who moves less than that may sleep (Integration::still). What a step does then differs
+// from the full simulation by less than a tenth of the clearance (tests/experiments/sleep_test.cpp).
 constexpr double still = 0.02;
 
 Integration integration(const SpringSettings& springs, const CycleSettings& cycle) {
@@ -48,6 +46,7 @@ Cycle::Cycle(const Organ& organ, const Tool& tool, CycleStart start, const Cycle
       organ_(organ),
       tool_(tool, start.tool),
       motion_(start.tool, start.tool),
+      response_check_(organ.rest.positions.size()),
       held_(std::move(start.held)) {
     if (!(cycle.rate > 0)) throw std::invalid_argument("the rate must be positive");
     if (!(cycle.clearance > 0)) throw std::invalid_argument("the clearance must be positive");
@@ -97,7 +96,7 @@ void Cycle::handle(const Handler& handler) {
         response_.clear();
         handler(found, response_);
     });
-    check_response(response_, positions().size());
+    response_check_.check(response_);
     apply_response();
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "common/cycle/check_response.h"
 #include "common/cycle/contact.h"
 #include "common/deformation/xpbd.h"
 #include "common/detection/detector.h"
@@ -58,7 +59,7 @@ class Cycle {
     /// Finds what collides with the tool where it is now.
     void detect();
     /// Asks `handler` for a response to what was detected and moves the vertices that it displaces.
-    /// Throws what check_response throws.
+    /// Throws what ResponseCheck throws.
     void handle(const Handler& handler);
     /// Ends the step: the deformation moves all vertices that are not held.
     void deform();
@@ -92,6 +93,7 @@ class Cycle {
     ToolMotion motion_;
     Detected detected_;
     Response response_;
+    ResponseCheck response_check_;
     std::vector<Index> held_;
     PhaseTimes times_;
 };

@@ -25,7 +25,7 @@ std::optional<Response> answer_with(const Organ& organ, const Contact& contact, 
                          .clearance = contact.clearance,
                          .dt = contact.dt},
                         response);
-        check_response(response, contact.positions.size());
+        ResponseCheck(contact.positions.size()).check(response);
     } catch (const std::bad_alloc&) {
         throw;
     } catch (...) {

@@ -53,7 +53,7 @@ void handle(const Contact& contact, Strategy& strategy, Judged& judged) {
     Response response;
     strategy.handle(contact, response);
     std::vector<Vec3> positions = judged.at(Moment::before).positions();
-    check_response(response, positions.size());
+    ResponseCheck(positions.size()).check(response);
     for (const auto& [vertex, displacement] : response.displacements) positions[vertex] += displacement;
     judged.handled.emplace(judged.organ(), judged.tool(), positions, judged.at(Moment::before).pose());
     judged.fallbacks = response.fallbacks;

@@ -70,7 +70,7 @@ TEST_P(Sleep, AStepIsThatOfTheFullSimulationFromTheSameState) {
     const PreparedScene scene = prepare();
     const auto strategy = make_strategy(GetParam().strategy);
     Cycle sleeping = cycle(scene.start, GetParam().springs);
-    std::size_t touched = 0;
+    std::size_t touched = scene.start.held.size();
     double most_asleep = 0;
     for (std::size_t k = 0; k < scene.poses.size(); ++k) {
         Cycle once_in_full = cycle(as_it_is(sleeping), full());
