@@ -59,6 +59,7 @@ TABLES = (
     ("handling/", ("tool", "strategy"), (
         ("a collided vertex", "per_vertex_s", time), ("collided", "collided", number),
         ("facets of the tool", "tool_facets", number), ("convex", "convex", lambda value: "yes" if value else "no"))),
+    ("fuzzy/", ("what",), (("a facet", "per_facet", time), ("fuzzylite / inference", "ratio", number))),
     ("start/", ("facets, about",), (
         ("all", "real_time_s", time), ("organ", "organ_s", time), ("scene", "scene_s", time), ("cycle", "cycle_s", time),
         ("peak memory", "peak_B", size), ("file", "file_B", size))),
@@ -82,6 +83,10 @@ def origin(contexts):
     for cpu, compiler, flags, commit, is_all in sorted(ways):
         dirty = "" if is_all == "yes" else ", with changes"
         yield f"On {cpu}, by {compiler} with `{flags}`, commit {commit[:12]}{dirty}."
+    loads = [context["load_avg"][0] for context in contexts.values() if context.get("load_avg")]
+    if loads:
+        cores = next(iter(contexts.values()))["num_cpus"]
+        yield f"When the programs began, {min(loads):.1f} to {max(loads):.1f} processes were ready to run on {cores} cores."
 
 
 def table(beginning, names, columns, medians):

@@ -60,8 +60,8 @@ TEST(RunScene, LooksAtTheStepsOfTheWindow) {
     const auto window = static_cast<std::size_t>(std::ranges::count(on.scene.window, true));
     EXPECT_EQ(detected, window);
     EXPECT_EQ(ended, window);
-    EXPECT_GT(moved, 4);
-    EXPECT_LT(moved, window - 10);  // the tool is held still for half a second
+    EXPECT_EQ(window, 22);
+    EXPECT_EQ(moved, 7);  // the tool is held still for half a second
     EXPECT_TRUE(on.scene.window[steps_that_count(on.scene) - 1]);
 }
 

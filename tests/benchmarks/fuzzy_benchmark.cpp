@@ -84,8 +84,12 @@ void fuzzylite_over_inference(benchmark::State& state) {
 }  // namespace trocar::fuzzy
 
 int main(int argc, char** argv) {
-    benchmark::RegisterBenchmark("fuzzylite", trocar::fuzzy::fuzzylite);
-    benchmark::RegisterBenchmark("inference", trocar::fuzzy::inference);
-    benchmark::RegisterBenchmark("fuzzylite_over_inference", trocar::fuzzy::fuzzylite_over_inference);
+    for (benchmark::internal::Benchmark* one :
+         {benchmark::RegisterBenchmark("fuzzy/fuzzylite", trocar::fuzzy::fuzzylite),
+          benchmark::RegisterBenchmark("fuzzy/inference", trocar::fuzzy::inference),
+          benchmark::RegisterBenchmark("fuzzy/fuzzylite_over_inference",
+                                       trocar::fuzzy::fuzzylite_over_inference)}) {
+        one->Repetitions(5)->DisplayAggregatesOnly();
+    }
     return trocar::run_benchmarks(argc, argv);
 }

@@ -63,7 +63,8 @@ TEST(CgalPeer, AgreesWithTheSolid) {
         int inside = 0;
         constexpr int steps = 30;
         for (int k = 0; k < steps * steps * steps; ++k) {
-            const Vec3 part = Vec3(k % steps, k / steps % steps, k / steps / steps) / steps;
+            const int x = k % steps, y = k / steps % steps, z = k / steps / steps;
+            const Vec3 part = Vec3(x, y, z) / steps;
             const Vec3 point = box.low + part.cwiseProduct(box.size());
             EXPECT_EQ(cgal.contains(point), tool.solid.contains(point));
             inside += cgal.contains(point) ? 1 : 0;
