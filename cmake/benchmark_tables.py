@@ -31,7 +31,7 @@ def yes(value):
 # Of each table: the beginning of its benchmarks' names, what the rest of a name says, then columns: heading, counter, how it
 # is written.
 TABLES = (
-    ("penetration/", ("strategy", "facets, about"), (
+    ("penetration/", ("strategy", "organ"), (
         ("cycle, median", "cycle_p50_s", time), ("99 %", "cycle_p99_s", time), ("mean", "cycle_mean_s", time),
         ("tool moves, median", "tool_moves_p50_s", time), ("detect", "detect_p50_s", time),
         ("handle, mean", "handle_mean_s", time), ("deform", "deform_p50_s", time), ("collided", "collided", number),
@@ -41,14 +41,14 @@ TABLES = (
         ("cycle, median", "cycle_p50_s", time), ("99 %", "cycle_p99_s", time), ("detect, 99 %", "detect_p99_s", time),
         ("handle, 99 %", "handle_p99_s", time), ("deform, 99 %", "deform_p99_s", time), ("collided", "collided", number),
         ("handle a collided vertex", "handle_collided_s", time), ("steps", "steps", number))),
-    ("bullet/", ("strategy", "facets, about"), (
+    ("bullet/", ("strategy", "organ"), (
         ("Bullet", "bullet_s", time), ("in order", "bullet_in_order_s", time), ("shuffled", "bullet_shuffled_s", time),
         ("fresh", "bullet_fresh_s", time), ("Trocar", "trocar_s", time), ("none asleep", "awake_s", time),
         ("Bullet / Trocar", "ratio", number), ("tool moves", "ratio_tool_moves", number),
         ("Bullet / none asleep", "ratio_awake", number), ("contacts, Bullet", "bullet_contacts", number),
         ("Trocar", "trocar_contacts", number), ("dent, mm, Bullet", "bullet_dent_mm", number),
         ("Trocar", "trocar_dent_mm", number), ("comparable", "comparable", yes))),
-    ("fcl/", ("facets, about",), (
+    ("fcl/", ("organ",), (
         ("FCL", "fcl_s", time), ("refit", "fcl_refit_s", time), ("collide", "fcl_collide_s", time),
         ("Trocar, detect", "trocar_s", time), ("FCL / Trocar", "ratio", number), ("facets found, FCL", "fcl_facets", number),
         ("Trocar", "trocar_facets", number), ("comparable", "comparable", yes))),

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,14 +35,17 @@ BenchScene::BenchScene(Organ the_organ, Tool the_tool, const std::string& scene_
                                                    .dt = CycleSettings{}.dt(),
                                                    .seed = 1})) {}
 
-const BenchScene& sphere_scene(int facets, const std::string& scene_name) {
+const BenchScene& scene_on(const BenchOrgan& organ, const std::string& scene_name) {
     static std::string kept_name;
     static std::unique_ptr<const BenchScene> kept;
-    const std::string name = fmt::format("{}/{}", scene_name, facets);
+    const std::string_view organ_name = organ.name;
+    const std::string name = fmt::format("{}/{}", scene_name, organ_name);
     if (name != kept_name) {
         constexpr double edge = 2, speed = 100;  // mm, mm/s
         kept.reset();
-        kept = std::make_unique<const BenchScene>(sphere_of(facets, edge), make_tool_by_formula("prism-12"),
+        Organ made = organ_name.starts_with("liver") ? make_organ_by_formula(organ_name)
+                                                     : sphere_of(organ.facets, edge);
+        kept = std::make_unique<const BenchScene>(std::move(made), make_tool_by_formula("prism-12"),
                                                   scene_name, speed);
         kept_name = name;
     }

@@ -14,8 +14,23 @@
 
 namespace trocar {
 
-/// About so many facets have the organs that are measured.
-inline constexpr std::array<int, 6> organ_sizes = {2'000, 8'000, 30'000, 100'000, 300'000, 1'000'000};
+/// An organ that is measured.
+struct BenchOrgan {
+    const char* name;
+    int facets;  ///< about
+};
+
+/// Spheres of more and more facets, all with edges of 2 mm; and a liver with such edges, whose vertices lie
+/// in memory as remeshing left them, not row by row.
+inline constexpr std::array<BenchOrgan, 7> bench_organs = {{
+    {.name = "2000", .facets = 2'000},
+    {.name = "8000", .facets = 8'000},
+    {.name = "30000", .facets = 30'000},
+    {.name = "liver@2mm", .facets = 30'000},
+    {.name = "100000", .facets = 100'000},
+    {.name = "300000", .facets = 300'000},
+    {.name = "1000000", .facets = 1'000'000},
+}};
 
 /// A sphere with edges of `edge` (mm) and about so many facets: the larger it is, the more facets, and where
 /// the tool touches it, it is the same.
@@ -34,9 +49,9 @@ struct BenchScene {
     PreparedScene scene;
 };
 
-/// Tool prism-12 at 100 mm/s, seed 1, on sphere_of(facets, 2 mm). The last one that was asked for is kept:
-/// benchmarks of one organ come one after the other.
-const BenchScene& sphere_scene(int facets, const std::string& scene_name);
+/// Tool prism-12 at 100 mm/s, seed 1. The last one that was asked for is kept: benchmarks of one organ come
+/// one after the other.
+const BenchScene& scene_on(const BenchOrgan& organ, const std::string& scene_name);
 
 /// How many steps there are up to the last one of the scene's window, with it.
 std::size_t steps_that_count(const PreparedScene& scene);

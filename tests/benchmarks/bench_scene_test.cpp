@@ -46,7 +46,7 @@ TEST(BenchTools, AreConvexOrNotAsTheirNamesSay) {
 }
 
 TEST(RunScene, LooksAtTheStepsOfTheWindow) {
-    const BenchScene& on = sphere_scene(2'000, "penetration");
+    const BenchScene& on = scene_on(bench_organs.at(0), "penetration");
     Cycle cycle(on.organ, on.tool, on.scene.start, CycleSettings{}, SpringSettings{});
     const auto strategy = make_strategy("nearest-face");
     std::size_t detected = 0, ended = 0, moved = 0;

@@ -17,8 +17,8 @@
 namespace trocar {
 namespace {
 
-constexpr double s = 1e-9;            // of a nanosecond
-constexpr int pivot_facets = 30'000;  // of the organ
+constexpr double s = 1e-9;                              // of a nanosecond
+constexpr BenchOrgan pivot_organ = bench_organs.at(2);  // of 30,000 facets
 constexpr std::size_t pivot_steps = 2'000;
 
 /// Of each step that counts: the time of each phase in s, the vertices in contact.
@@ -93,8 +93,8 @@ void report_limit(benchmark::State& state, const BenchScene& on, const std::stri
 }
 
 /// One iteration is the scene once, from the organ at rest.
-void time_penetration(benchmark::State& state, const std::string& strategy_name, int facets) {
-    const BenchScene& on = sphere_scene(facets, "penetration");
+void time_penetration(benchmark::State& state, const std::string& strategy_name, const BenchOrgan& organ) {
+    const BenchScene& on = scene_on(organ, "penetration");
     Samples all;
     for (auto _ : state) {
         Cycle cycle(on.organ, on.tool, on.scene.start, CycleSettings{}, SpringSettings{});
@@ -112,7 +112,7 @@ void time_penetration(benchmark::State& state, const std::string& strategy_name,
 
 /// One iteration is the scene again and again, without a rest of the organ, until enough steps counted.
 void time_pivot(benchmark::State& state, const std::string& strategy_name) {
-    const BenchScene& on = sphere_scene(pivot_facets, "pivot");
+    const BenchScene& on = scene_on(pivot_organ, "pivot");
     Samples samples;
     for (auto _ : state) {
         samples = {};
@@ -134,13 +134,13 @@ void time_pivot(benchmark::State& state, const std::string& strategy_name) {
 int main(int argc, char** argv) {
     const std::vector<std::string> strategies = {"nearest-face", "fuzzy-per-vertex"};
     constexpr int repetitions = 3;
-    for (const int facets : trocar::organ_sizes) {
+    for (const trocar::BenchOrgan& organ : trocar::bench_organs) {
         constexpr int large = 100'000;
         for (const std::string& strategy : strategies) {
-            const std::string name = fmt::format("penetration/{}/{}", strategy, facets);
-            benchmark::RegisterBenchmark(name.c_str(), trocar::time_penetration, strategy, facets)
+            const std::string name = fmt::format("penetration/{}/{}", strategy, organ.name);
+            benchmark::RegisterBenchmark(name.c_str(), trocar::time_penetration, strategy, organ)
                 ->UseManualTime()
-                ->Iterations(facets < large ? 10 : 2)
+                ->Iterations(organ.facets < large ? 10 : 2)
                 ->Repetitions(repetitions)
                 ->DisplayAggregatesOnly()
                 ->Unit(benchmark::kMicrosecond);

@@ -85,9 +85,9 @@ void report_contact(benchmark::State& state, double ours, double theirs) {
 
 /// One iteration is the scene by Bullet in each setup, by Trocar, and by Trocar with no vertex asleep, one
 /// after the other. The ratios are to Bullet's cheapest.
-void against_bullet(benchmark::State& state, const std::string& strategy, int facets) {
+void against_bullet(benchmark::State& state, const std::string& strategy, const BenchOrgan& organ) {
     using Setup = BulletPeer::Setup;
-    const BenchScene& on = sphere_scene(facets, "penetration");
+    const BenchScene& on = scene_on(organ, "penetration");
     Samples in_order, shuffled, fresh, trocar, awake;
     for (auto _ : state) {
         run_bullet(on, Setup::in_order, in_order);
@@ -118,8 +118,8 @@ void against_bullet(benchmark::State& state, const std::string& strategy, int fa
 
 /// One iteration is the scene by Trocar alone, and once more with FCL asked of each state that Trocar was
 /// asked of.
-void against_fcl(benchmark::State& state, int facets) {
-    const BenchScene& on = sphere_scene(facets, "penetration");
+void against_fcl(benchmark::State& state, const BenchOrgan& organ) {
+    const BenchScene& on = scene_on(organ, "penetration");
     FclPeer fcl(on.organ);
     std::vector<double> refit, collide, theirs, ours, found_theirs, found_ours;
     for (auto _ : state) {
@@ -213,17 +213,16 @@ void settle(benchmark::internal::Benchmark* one, int iterations, int repetitions
 
 int main(int argc, char** argv) {
     constexpr int large = 100'000, few = 3, many = 9;
-    for (const int facets : trocar::organ_sizes) {
-        const int repetitions = facets < large ? many : few;
+    for (const trocar::BenchOrgan& organ : trocar::bench_organs) {
+        const int repetitions = organ.facets < large ? many : few;
         for (const std::string strategy : {"nearest-face", "fuzzy-per-vertex"}) {
-            const std::string name = fmt::format("bullet/{}/{}", strategy, facets);
-            trocar::settle(
-                benchmark::RegisterBenchmark(name.c_str(), trocar::against_bullet, strategy, facets)
-                    ->Unit(benchmark::kMicrosecond),
-                1, repetitions);
+            const std::string name = fmt::format("bullet/{}/{}", strategy, organ.name);
+            trocar::settle(benchmark::RegisterBenchmark(name.c_str(), trocar::against_bullet, strategy, organ)
+                               ->Unit(benchmark::kMicrosecond),
+                           1, repetitions);
         }
-        const std::string name = fmt::format("fcl/{}", facets);
-        trocar::settle(benchmark::RegisterBenchmark(name.c_str(), trocar::against_fcl, facets)
+        const std::string name = fmt::format("fcl/{}", organ.name);
+        trocar::settle(benchmark::RegisterBenchmark(name.c_str(), trocar::against_fcl, organ)
                            ->Unit(benchmark::kMicrosecond),
                        1, repetitions);
     }

@@ -13,14 +13,12 @@
 namespace trocar {
 namespace {
 
-constexpr int facets = 8'000;
-
 Pose at_depth(const Placement& placement, double depth) {
     return upright_pose(placement, placement.entry - depth * placement.normal);
 }
 
 TEST(BulletPeer, IsDentedAsDeepAsItsCylinderGoes) {
-    const BenchScene& on = sphere_scene(facets, "penetration");
+    const BenchScene& on = scene_on(bench_organs.at(1), "penetration");
     const Placement& placement = on.scene.placement;
     for (const auto setup :
          {BulletPeer::Setup::in_order, BulletPeer::Setup::shuffled, BulletPeer::Setup::fresh}) {
@@ -39,7 +37,7 @@ TEST(BulletPeer, IsDentedAsDeepAsItsCylinderGoes) {
 }
 
 TEST(FclPeer, FindsTheFacetsThatDetectionFinds) {
-    const BenchScene& on = sphere_scene(facets, "penetration");
+    const BenchScene& on = scene_on(bench_organs.at(1), "penetration");
     FclPeer fcl(on.organ);
     Cycle cycle(on.organ, on.tool, on.scene.start, CycleSettings{}, SpringSettings{});
     const auto strategy = make_strategy("fuzzy-per-vertex");
