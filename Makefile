@@ -41,6 +41,7 @@ define check_readings_table
 
 endef
 
+reference_bench = results/reference/benchmarks
 reference_claims = results/reference/claims
 define check_verdicts
 	$(PYTHON) cmake/readme_part.py $(1) verdicts $(reference_claims)/verdicts.md --check
@@ -90,7 +91,7 @@ endef
 
 .NOTPARALLEL:
 .PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures claims choice readings sensitivity everything test sanitize \
-    mutate lint docs bench clean
+    mutate lint docs bench reference_bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z_]*\):.*  ## /\1\t/p' Makefile | expand -t 16
@@ -185,6 +186,7 @@ lint: lint_packages docs configure  ## check the format, the C++, the Python and
 	$(PYTHON) cmake/readme_part.py experiments/metrics/README.md apart $(apart_table) --check
 	$(foreach page,README.md results/reference/README.md,$(call check_verdicts,$(page)))
 	$(foreach table,$(readings_tables),$(call check_readings_table,$(table)))
+	$(PYTHON) cmake/readme_part.py tests/benchmarks/README.md tables $(reference_bench)/tables.md --check
 	$(PYTHON) cmake/readme_part.py README.md consumer tests/package/consumer/consumer.cpp --check
 	$(PYTHON) cmake/clang_tidy.py build/$(PRESET) --jobs $(JOBS)
 
@@ -196,6 +198,13 @@ bench: build  ## time the cycle and its phases; results in build/bench/*.json
 	set -e; for program in build/$(PRESET)/tests/benchmarks/*_benchmark; do \
 	    "$$program" --benchmark_out_format=json --benchmark_out=build/bench/$$(basename "$$program").json; \
 	done
+	$(PYTHON) cmake/benchmark_tables.py build/bench
+
+reference_bench: bench  ## run the benchmarks and keep them as the reference, results/reference/benchmarks/
+	mkdir -p $(reference_bench)
+	cp build/bench/*_benchmark.json $(reference_bench)
+	$(PYTHON) cmake/benchmark_tables.py $(reference_bench) > $(reference_bench)/tables.md
+	$(PYTHON) cmake/readme_part.py tests/benchmarks/README.md tables $(reference_bench)/tables.md
 
 clean:  ## remove build/
 	rm -rf build

@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "tests/benchmarks/bench_main.h"
 #include "tests/strategies/fuzzy/fuzzylite_engine.h"
 #include "tests/strategies/fuzzy/paper_rules.h"
 
@@ -83,11 +84,12 @@ void fuzzylite_over_inference(benchmark::State& state) {
 }  // namespace trocar::fuzzy
 
 int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    benchmark::RegisterBenchmark("fuzzylite", trocar::fuzzy::fuzzylite);
-    benchmark::RegisterBenchmark("inference", trocar::fuzzy::inference);
-    benchmark::RegisterBenchmark("fuzzylite_over_inference", trocar::fuzzy::fuzzylite_over_inference);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    for (benchmark::internal::Benchmark* one :
+         {benchmark::RegisterBenchmark("fuzzy/fuzzylite", trocar::fuzzy::fuzzylite),
+          benchmark::RegisterBenchmark("fuzzy/inference", trocar::fuzzy::inference),
+          benchmark::RegisterBenchmark("fuzzy/fuzzylite_over_inference",
+                                       trocar::fuzzy::fuzzylite_over_inference)}) {
+        one->Repetitions(5)->DisplayAggregatesOnly();
+    }
+    return trocar::run_benchmarks(argc, argv);
 }

@@ -21,6 +21,7 @@
 #include "experiments/run/workers/supervise.h"
 #include "experiments/sweep/hash.h"
 #include "results/store.h"
+#include "tests/benchmarks/bench_main.h"
 
 namespace trocar {
 namespace {
@@ -156,12 +157,9 @@ void two_jobs(benchmark::State& state) {
 }  // namespace trocar
 
 int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
     for (benchmark::internal::Benchmark* one : {benchmark::RegisterBenchmark("isolation", trocar::isolation),
                                                 benchmark::RegisterBenchmark("two_jobs", trocar::two_jobs)}) {
         one->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1)->Repetitions(5);
     }
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    return trocar::run_benchmarks(argc, argv);
 }

@@ -15,6 +15,7 @@
 #include "common/tool/tool_shapes.h"
 #include "experiments/metrics/judge/judge.h"
 #include "strategies/registry.h"
+#include "tests/benchmarks/bench_main.h"
 
 namespace trocar {
 namespace {
@@ -104,9 +105,5 @@ int main(int argc, char** argv) {
                 ->Unit(benchmark::kMillisecond);
         }
     }
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
-    return 0;
+    return trocar::run_benchmarks(argc, argv);
 }

@@ -1,0 +1,38 @@
+#include "tests/benchmarks/bench_main.h"
+
+#include <fstream>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "experiments/run/build_info.h"
+
+namespace trocar {
+namespace {
+
+std::string cpu_model() {
+    std::ifstream stream("/proc/cpuinfo");
+    for (std::string line; std::getline(stream, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "unknown";
+}
+
+}  // namespace
+
+int run_benchmarks(int argc, char** argv) {
+    benchmark::AddCustomContext("cpu", cpu_model());
+    benchmark::AddCustomContext("compiler", std::string(compiler()));
+    benchmark::AddCustomContext("flags", std::string(compiler_flags()));
+    benchmark::AddCustomContext("commit", std::string(git_commit()));
+    benchmark::AddCustomContext("commit_is_all", git_dirty() ? "no, the tree had changes" : "yes");
+    benchmark::AddCustomContext("libraries", std::string(library_versions()));
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}
+
+}  // namespace trocar
