@@ -33,14 +33,15 @@ void number_slots(const SpringNetwork& network, SpringLayout& layout) {
 
 /// The springs in the network's order.
 std::vector<SpringLayout::Spring> springs_with_levels(const SpringNetwork& network,
-                                                      const SpringLayout& layout) {
+                                                      const SpringLayout& layout, double h) {
     std::vector<std::uint32_t> highest(network.rest.size(), 0);
     std::vector<SpringLayout::Spring> springs;
     springs.reserve(network.springs.size());
     for (const auto& [a, b, rest_length, stiffness] : network.springs) {
         const std::uint32_t level = 1 + std::max(highest[a], highest[b]);
         highest[a] = highest[b] = level;
-        springs.push_back({layout.slot_of[a], layout.slot_of[b], level, rest_length, stiffness});
+        springs.push_back(
+            {layout.slot_of[a], layout.slot_of[b], level, rest_length, 1 / (stiffness * h * h)});
     }
     return springs;
 }
@@ -78,10 +79,10 @@ void list_by_patch(SpringLayout& layout) {
 
 }  // namespace
 
-SpringLayout lay_out(const SpringNetwork& network) {
+SpringLayout lay_out(const SpringNetwork& network, double substep) {
     SpringLayout layout;
     number_slots(network, layout);
-    layout.springs = springs_with_levels(network, layout);
+    layout.springs = springs_with_levels(network, layout, substep);
     std::ranges::sort(layout.springs, {}, [&](const SpringLayout::Spring& spring) {
         return std::tuple(layout.patch_of[spring.a], spring.level, spring.a);
     });

@@ -18,7 +18,7 @@ struct SpringLayout {
     struct Spring {
         std::uint32_t a, b, level;
         double rest_length;  ///< mm
-        double stiffness;    ///< g/s²
+        double compliance;   ///< over the square of the substep, 1/g
     };
 
     std::vector<Index> vertex_of;             ///< each slot's vertex
@@ -33,7 +33,7 @@ struct SpringLayout {
     [[nodiscard]] std::size_t patches() const { return patch_begins.size() - 1; }
 };
 
-/// Lays out a network.
-SpringLayout lay_out(const SpringNetwork& network);
+/// Lays out a network. @param substep s
+SpringLayout lay_out(const SpringNetwork& network, double substep);
 
 }  // namespace trocar

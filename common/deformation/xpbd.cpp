@@ -22,18 +22,17 @@ Eigen::Vector4d four(const Vec3& v, double last) { return {v.x(), v.y(), v.z(), 
 XpbdIntegrator::XpbdIntegrator(SpringNetwork network, OrganState start, const Integration& settings)
     : network_(std::move(network)),
       settings_(settings),
-      layout_(lay_out(network_)),
+      h_(settings.dt / settings.substeps),
+      layout_(lay_out(network_, h_)),
       awake_(layout_),
       state_(std::move(start)),
-      h_(settings.dt / settings.substeps),
-      positions_(network_.rest.size()),
+      positions_(network_.rest.size() + 1, Slot(0, 0, 0, 0)),
       before_(network_.rest.size()),
       rest_(network_.rest.size()),
       velocities_(network_.rest.size()),
       rest_shares_(network_.rest.size()),
       held_in_(network_.rest.size(), 0),
       free_masses_(network_.rest.size()),
-      links_(layout_.springs.size()),
       speeds_(layout_.patches()),
       calm_steps_(layout_.patches(), 0),
       touched_in_(layout_.patches(), 0),
@@ -45,7 +44,7 @@ XpbdIntegrator::XpbdIntegrator(SpringNetwork network, OrganState start, const In
     for (auto* list : {&held_, &touched_}) list->reserve(network_.rest.size());
     for (auto* list : {&moved_, &sleepy_, &to_wake_}) list->reserve(layout_.patches());
     place(state_);
-    set_substep();
+    set_free_masses();
 }
 
 void XpbdIntegrator::check_input() const {
@@ -123,13 +122,8 @@ void XpbdIntegrator::step(const StepLoad& load) {
     for (const std::uint32_t patch : moved_) moved_in_[patch] = step_;
 }
 
-/// Prepares what depends on the length of a substep.
-void XpbdIntegrator::set_substep() {
-    for (std::size_t k = 0; k < links_.size(); ++k) {
-        const auto& [a, b, level, rest_length, stiffness] = layout_.springs[k];
-        links_[k] = {a, b, rest_length, 1 / (stiffness * h_ * h_)};
-    }
-    for (std::uint32_t slot = 0; slot < positions_.size(); ++slot) {
+void XpbdIntegrator::set_free_masses() {
+    for (std::uint32_t slot = 0; slot < rest_.size(); ++slot) {
         const Index vertex = layout_.vertex_of[slot];
         const double mass = network_.masses[vertex] * (1 + settings_.damping * h_);
         free_masses_[slot] = network_.fixed[vertex] ? 0 : 1 / mass;
@@ -205,6 +199,7 @@ void XpbdIntegrator::wake_touched(const StepLoad& load) {
     wake(to_wake_);
     wake_what_is_strained(awake_.patches());
     wake_what_neighbours_moved();
+    awake_.settle();
 }
 
 void XpbdIntegrator::begin_wishes() {
@@ -237,10 +232,10 @@ void XpbdIntegrator::wake_what_is_strained(std::span<const std::uint32_t> patche
         begin_wishes();
         for (const std::uint32_t patch : patches) {
             for (const std::uint32_t k : layout_.springs_at[patch]) {
-                const Link& link = links_[k];
-                const std::uint32_t other = layout_.patch_of[link.a] == patch ? link.b : link.a;
+                const Spring& spring = layout_.springs[k];
+                const std::uint32_t other = layout_.patch_of[spring.a] == patch ? spring.b : spring.a;
                 if (awake_.awake(layout_.patch_of[other])) continue;
-                if (strained(link, other)) want_awake(layout_.patch_of[other]);
+                if (strained(spring, other)) want_awake(layout_.patch_of[other]);
             }
         }
         patches = wake(to_wake_);
@@ -248,12 +243,12 @@ void XpbdIntegrator::wake_what_is_strained(std::span<const std::uint32_t> patche
 }
 
 /// Whether a spring would move the free vertex at this end of it by more than what counts as still.
-bool XpbdIntegrator::strained(const Link& link, std::uint32_t slot) const {
-    const double w_a = held(link.a) ? 0 : free_masses_[link.a];
-    const double w_b = held(link.b) ? 0 : free_masses_[link.b];
-    const double w = slot == link.a ? w_a : w_b;
-    const double length = (positions_[link.b] - positions_[link.a]).head<3>().norm();
-    return w * std::abs(length - link.rest_length) > settings_.still * (w_a + w_b + link.compliance);
+bool XpbdIntegrator::strained(const Spring& spring, std::uint32_t slot) const {
+    const double w_a = held(spring.a) ? 0 : free_masses_[spring.a];
+    const double w_b = held(spring.b) ? 0 : free_masses_[spring.b];
+    const double w = slot == spring.a ? w_a : w_b;
+    const double length = (positions_[spring.b] - positions_[spring.a]).head<3>().norm();
+    return w * std::abs(length - spring.rest_length) > settings_.still * (w_a + w_b + spring.compliance);
 }
 
 /// Whether a vertex that a spring joins to a sleeping patch is elsewhere than when it fell asleep.
@@ -291,36 +286,24 @@ void XpbdIntegrator::push(std::span<const VertexForce> forces) {
     const double kept = 1 / (1 + settings_.damping * h_);
     for (const VertexForce& f : forces) {
         const std::uint32_t slot = layout_.slot_of[f.vertex];
-        const Slot acceleration = four(f.force * positions_[slot][3], 0);
+        const Eigen::Vector4d acceleration = four(f.force * positions_[slot][3], 0);
         positions_[slot] = before_[slot] + h_ * (kept * velocities_[slot] + h_ * acceleration);
     }
 }
 
 void XpbdIntegrator::project_springs() {
-    for (const auto& [level, spring] : awake_.springs()) {
-        const auto& [slot_a, slot_b, rest_length, compliance] = links_[spring];
-        Slot &a = positions_[slot_a], &b = positions_[slot_b];
-        const double w_a = a[3], w_b = b[3];
-        const Vec3 along = b.head<3>() - a.head<3>();
-        const double length = along.norm();
-        if (w_a + w_b == 0 || length == 0) continue;
-        const Vec3 pull = along * ((length - rest_length) / (length * (w_a + w_b + compliance)));
-        a.head<3>() += w_a * pull;
-        b.head<3>() -= w_b * pull;
-    }
+    const auto idle = static_cast<std::uint32_t>(positions_.size() - 1);
+    awake_.for_each_level(
+        [&](std::span<const Spring> springs) { kernels_.project(springs, positions_.data(), idle); });
 }
 
 /// Ends the substep but for half-spaces: the springs to rest, and the velocities.
 void XpbdIntegrator::pull_to_rest() {
     for (const std::uint32_t patch : awake_.patches()) {
-        double fastest = speeds_[patch];
-        for (std::uint32_t slot = layout_.patch_begins[patch]; slot < layout_.patch_begins[patch + 1];
-             ++slot) {
-            positions_[slot] += (rest_[slot] - positions_[slot]) * rest_shares_[slot];
-            velocities_[slot] = (positions_[slot] - before_[slot]) / h_;
-            fastest = std::max(fastest, velocities_[slot].squaredNorm());
-        }
-        speeds_[patch] = fastest;
+        const double fastest = kernels_.pull_to_rest(
+            positions_.data(), before_.data(), rest_.data(), rest_shares_.data(), velocities_.data(),
+            layout_.patch_begins[patch], layout_.patch_begins[patch + 1], h_);
+        speeds_[patch] = std::max(speeds_[patch], fastest);
     }
 }
 
@@ -367,9 +350,7 @@ void XpbdIntegrator::let_sleep() {
     for (const std::uint32_t patch : sleepy_) fall_asleep(patch);
 }
 
-bool XpbdIntegrator::may_sleep(std::uint32_t patch) const {
-    return calm_steps_[patch] >= steps_to_sleep();
-}
+bool XpbdIntegrator::may_sleep(std::uint32_t patch) const { return calm_steps_[patch] >= steps_to_sleep(); }
 
 std::uint32_t XpbdIntegrator::steps_to_sleep() const {
     return static_cast<std::uint32_t>(std::ceil(calm_time / settings_.dt - 1e-9));
@@ -378,11 +359,11 @@ std::uint32_t XpbdIntegrator::steps_to_sleep() const {
 /// Whether a strained spring joins a patch that may sleep to one that stays awake.
 bool XpbdIntegrator::strained_towards_awake(std::uint32_t patch) const {
     return std::ranges::any_of(layout_.springs_at[patch], [&](std::uint32_t k) {
-        const Link& link = links_[k];
-        const bool a_is_own = layout_.patch_of[link.a] == patch;
-        const std::uint32_t other = layout_.patch_of[a_is_own ? link.b : link.a];
+        const Spring& spring = layout_.springs[k];
+        const bool a_is_own = layout_.patch_of[spring.a] == patch;
+        const std::uint32_t other = layout_.patch_of[a_is_own ? spring.b : spring.a];
         return other != patch && awake_.awake(other) && !may_sleep(other) &&
-               strained(link, a_is_own ? link.a : link.b);
+               strained(spring, a_is_own ? spring.a : spring.b);
     });
 }
 
@@ -403,7 +384,7 @@ double XpbdIntegrator::awake_share() const {
     for (const std::uint32_t patch : awake_.patches()) {
         awake += layout_.patch_begins[patch + 1] - layout_.patch_begins[patch];
     }
-    return static_cast<double>(awake) / static_cast<double>(positions_.size());
+    return static_cast<double>(awake) / static_cast<double>(rest_.size());
 }
 
 double XpbdIntegrator::energy() const {

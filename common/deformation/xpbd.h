@@ -5,6 +5,7 @@
 
 #include "common/deformation/awake_patches.h"
 #include "common/deformation/constraints.h"
+#include "common/deformation/spring_kernels.h"
 #include "common/deformation/spring_layout.h"
 #include "common/deformation/spring_network.h"
 
@@ -37,9 +38,9 @@ struct Integration {
 /// substeps: stable for any stiffness and step (Macklin et al., "Small Steps in Physics Simulation", 2019,
 /// algorithm 1).
 ///
-/// **Sleep.** A patch falls asleep when it has been still for a tenth of a second and nothing acts on it. It wakes
-/// when something does, when a neighbour does, or when a vertex to which a spring joins it has moved by more
-/// than `still` since it fell asleep, in whichever substep. What sleeps is left where it is, without
+/// **Sleep.** A patch falls asleep when it has been still for a tenth of a second and nothing acts on it. It
+/// wakes when something does, when a neighbour does, or when a vertex to which a spring joins it has moved by
+/// more than `still` since it fell asleep, in whichever substep. What sleeps is left where it is, without
 /// velocity. A step of what is awake costs what is awake, in the order in which it would be done were all
 /// awake.
 class XpbdIntegrator {
@@ -73,19 +74,11 @@ class XpbdIntegrator {
     [[nodiscard]] const SpringNetwork& network() const { return network_; }
 
   private:
-    /// x, y, z, and the inverse mass: of the damped mass in 1/g; zero for what is fixed, held or asleep.
-    using Slot = Eigen::Vector4d;
-
-    /// A spring as it is integrated.
-    struct Link {
-        std::uint32_t a, b;
-        double rest_length;  ///< mm
-        double compliance;   ///< over the square of the substep, 1/g
-    };
+    using Spring = SpringLayout::Spring;
 
     void check_input() const;
     void place(const OrganState& start);
-    void set_substep();
+    void set_free_masses();
     void set_inverse_mass(std::uint32_t slot);
     void set_inverse_masses(std::uint32_t patch);
     void hold(std::span<const Index> kinematic);
@@ -99,7 +92,7 @@ class XpbdIntegrator {
     void begin_wishes();
     void want_awake(std::uint32_t patch);
     [[nodiscard]] bool held(std::uint32_t slot) const { return held_in_[slot] == step_; }
-    [[nodiscard]] bool strained(const Link& link, std::uint32_t slot) const;
+    [[nodiscard]] bool strained(const Spring& spring, std::uint32_t slot) const;
     [[nodiscard]] std::uint32_t steps_to_sleep() const;
     [[nodiscard]] bool may_sleep(std::uint32_t patch) const;
     [[nodiscard]] bool strained_towards_awake(std::uint32_t patch) const;
@@ -115,20 +108,21 @@ class XpbdIntegrator {
 
     SpringNetwork network_;
     Integration settings_;
+    const SpringKernels& kernels_ = spring_kernels();
+    double h_;  // length of a substep, s
     SpringLayout layout_;
     AwakePatches awake_;
     OrganState state_;
-    double h_;  // length of a substep, s
 
     // Of each slot:
-    std::vector<Slot> positions_;         // mm, and inverse mass
+    std::vector<Slot>
+        positions_;  // and of one more, idle: mm; the inverse mass, 0 for what is fixed, held or asleep, 1/g
     std::vector<Slot> before_;            // at the start of the substep, likewise
     std::vector<Slot> rest_;              // mm, and the inverse mass again
     std::vector<Slot> velocities_;        // mm/s, and 0
     std::vector<double> rest_shares_;     // of the way to its rest place that a free vertex is pulled
     std::vector<std::uint64_t> held_in_;  // the last step in which it was kinematic
     std::vector<double> free_masses_;     // inverse masses when awake and not held, 1/g
-    std::vector<Link> links_;             // the layout's springs
     // Of each patch:
     std::vector<double> speeds_;             // the largest of a vertex in this step, squared, mm²/s²
     std::vector<std::uint32_t> calm_steps_;  // for how many steps it has been still

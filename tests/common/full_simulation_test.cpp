@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(ByFormula, FullSimulation,
 
 TEST(SpringLayout, NoTwoSpringsOfALevelShareAVertexAndSharersKeepTheirOrder) {
     const SpringNetwork network = surface_springs(make_organ_by_formula("sphere@5mm"), {});
-    const SpringLayout layout = lay_out(network);
+    const SpringLayout layout = lay_out(network, 0.01);
     ASSERT_EQ(layout.springs.size(), network.springs.size());
     // At each vertex the springs, in the order of their levels, are those of the network in its order.
     std::vector<std::vector<std::pair<std::uint32_t, Index>>> laid_out(network.rest.size());
@@ -136,7 +136,7 @@ TEST(SpringLayout, NoTwoSpringsOfALevelShareAVertexAndSharersKeepTheirOrder) {
 TEST(SpringLayout, RefusesAVertexInTwoPatches) {
     SpringNetwork network = surface_springs(make_organ_by_formula("sphere@20mm"), {});
     network.patches = {{1, 2}, {2, 3}};
-    EXPECT_THROW((void)lay_out(network), std::invalid_argument);
+    EXPECT_THROW((void)lay_out(network, 0.01), std::invalid_argument);
 }
 
 }  // namespace
