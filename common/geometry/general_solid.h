@@ -1,11 +1,12 @@
 #pragma once
 
+#include "common/geometry/facet_tree.h"
 #include "common/geometry/solid_mesh.h"
 #include "common/geometry/surface_queries.h"
 
 namespace trocar {
 
-/// Queries on any solid, by a search of its surface.
+/// Queries on any solid, by a search of its surface. None asks for memory.
 class GeneralSolid {
   public:
     /// `solid` must outlive it.
@@ -23,7 +24,7 @@ class GeneralSolid {
 
   private:
     const SolidMesh& solid_;
-    SurfaceQueries surface_;
+    FacetTree tree_;
 };
 
 }  // namespace trocar

@@ -32,6 +32,12 @@ int orientation_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
         CGAL::orientation(exact_point(a), exact_point(b), exact_point(c), exact_point(d)));
 }
 
+int turn_sign(const Vec3& a, const Vec3& b, const Vec3& p, int axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    const auto seen = [&](const Vec3& point) { return Kernel::Point_2(point[u], point[v]); };
+    return static_cast<int>(CGAL::orientation(seen(a), seen(b), seen(p)));
+}
+
 bool facets_cross(const Corners& organ, const Corners& tool, const std::array<bool, 3>& flat_edges) {
     std::array<int, 3> organ_sides{};
     for (int k = 0; k < 3; ++k) organ_sides[k] = orientation_sign(tool[0], tool[1], tool[2], organ[k]);

@@ -10,6 +10,11 @@ namespace trocar {
 /// plane of a, b, c (on the side from which they run counter-clockwise), 0 on it, −1 below.
 int orientation_sign(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
+/// Sign of the area of the triangle (a, b, p) as it is seen along an axis, exact for these coordinates: +1
+/// when the three run counter-clockwise for an eye on the axis's positive side.
+/// @param axis 0, 1 or 2
+int turn_sign(const Vec3& a, const Vec3& b, const Vec3& p, int axis);
+
 /// The corners of a facet, counter-clockwise seen from outside.
 using Corners = std::array<Vec3, 3>;
 

@@ -62,8 +62,16 @@ bool Solid::within(const Vec3& point, double distance) const {
 }
 
 Vec3 Solid::support(const Vec3& direction) const {
-    return *std::ranges::max_element(parts_->solid.mesh.positions, {},
-                                     [&](const Vec3& p) { return p.dot(direction); });
+    const std::vector<Vec3>& all = parts_->solid.mesh.positions;
+    const Vec3* furthest = &all.front();
+    double along = furthest->dot(direction);
+    for (const Vec3& position : all) {
+        const double other = position.dot(direction);
+        if (!(other > along)) continue;
+        furthest = &position;
+        along = other;
+    }
+    return *furthest;
 }
 
 bool Solid::crossed_by(const Vec3& a, const Vec3& b, const Vec3& c) const {

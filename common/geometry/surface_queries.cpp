@@ -57,20 +57,21 @@ Corners corners_of(const SurfaceMesh& mesh, Index facet) {
     return {mesh.positions[f[0]], mesh.positions[f[1]], mesh.positions[f[2]]};
 }
 
-/// A search of CGAL's tree for the facets whose boxes satisfy `accepts`.
-template <typename Accepts>
-struct Gather {
+/// A search of CGAL's tree for the facets whose boxes meet a box.
+struct Near {
     const SurfaceMesh& mesh;
-    Accepts accepts;
+    const Box& box;
     std::vector<Index> found;
 
     [[nodiscard]] bool go_further() const { return true; }
-    [[nodiscard]] bool do_intersect(const Vec3&, const Node& node) const { return accepts(box_of(node)); }
+    [[nodiscard]] bool do_intersect(const Vec3&, const Node& node) const {
+        return box.overlaps(box_of(node));
+    }
     void intersection(const Vec3&, const Primitive& primitive) {
         const auto facet = static_cast<Index>(primitive.id().idx());
-        Box box;
-        for (const Vec3& corner : corners_of(mesh, facet)) box.add(corner);
-        if (accepts(box)) found.push_back(facet);
+        Box around;
+        for (const Vec3& corner : corners_of(mesh, facet)) around.add(corner);
+        if (box.overlaps(around)) found.push_back(facet);
     }
 };
 
@@ -111,22 +112,6 @@ struct Closest {
     }
 };
 
-/// Whether the ray meets the box.
-bool meets(const Vec3& origin, const Vec3& direction, const Box& box) {
-    double begin = 0, end = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 3; ++k) {
-        if (direction[k] == 0) {
-            if (origin[k] < box.low[k] || origin[k] > box.high[k]) return false;
-            continue;
-        }
-        const double one = (box.low[k] - origin[k]) / direction[k];
-        const double other = (box.high[k] - origin[k]) / direction[k];
-        begin = std::max(begin, std::min(one, other));
-        end = std::min(end, std::max(one, other));
-    }
-    return begin <= end;
-}
-
 }  // namespace
 
 struct SurfaceQueries::Tree {
@@ -139,13 +124,6 @@ struct SurfaceQueries::Tree {
         tree.build();
         tree.accelerate_distance_queries();
         return tree;
-    }
-
-    template <typename Accepts>
-    std::vector<Index> gather(Accepts accepts) const {
-        Gather<Accepts> search{mesh, std::move(accepts), {}};
-        tree.traversal(Vec3(Vec3::Zero()), search);
-        return std::move(search.found);
     }
 
     const SurfaceMesh& mesh;
@@ -196,17 +174,14 @@ SurfacePoint SurfaceQueries::closest(const Vec3& point, double rounding) const {
 }
 
 std::vector<Index> SurfaceQueries::facets_near(const Box& box) const {
-    return tree_->gather([&](const Box& other) { return box.overlaps(other); });
+    Near search{tree_->mesh, box, {}};
+    tree_->tree.traversal(Vec3(Vec3::Zero()), search);
+    return std::move(search.found);
 }
 
-std::vector<Index> SurfaceQueries::facets_along(const Vec3& origin, const Vec3& direction,
-                                                double margin) const {
-    return tree_->gather([&](const Box& box) { return meets(origin, direction, box.grown(margin)); });
-}
-
-std::optional<std::array<Index, 2>> SurfaceQueries::self_intersection() const {
+std::optional<std::array<Index, 2>> self_intersection(const SurfaceMesh& mesh) {
     std::vector<std::pair<CgalMesh::Face_index, CgalMesh::Face_index>> pairs;
-    CGAL::Polygon_mesh_processing::self_intersections(tree_->copy, std::back_inserter(pairs));
+    CGAL::Polygon_mesh_processing::self_intersections(to_cgal(mesh), std::back_inserter(pairs));
     std::optional<std::array<Index, 2>> lowest;
     for (const auto& [one, other] : pairs) {
         const auto [a, b] = std::minmax({static_cast<Index>(one.idx()), static_cast<Index>(other.idx())});

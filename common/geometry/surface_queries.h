@@ -45,17 +45,13 @@ class SurfaceQueries {
     /// The facets whose bounding box meets `box`, in no particular order.
     [[nodiscard]] std::vector<Index> facets_near(const Box& box) const;
 
-    /// At least the facets within `margin` (mm) of the ray, in no particular order.
-    [[nodiscard]] std::vector<Index> facets_along(const Vec3& origin, const Vec3& direction,
-                                                  double margin) const;
-
-    /// Two facets that meet without being neighbours, or neighbours that meet elsewhere than they join; none
-    /// of a sound surface.
-    [[nodiscard]] std::optional<std::array<Index, 2>> self_intersection() const;
-
   private:
     struct Tree;
     std::unique_ptr<Tree> tree_;
 };
+
+/// Two facets that meet without being neighbours, or neighbours that meet elsewhere than they join; none of a
+/// sound surface.
+std::optional<std::array<Index, 2>> self_intersection(const SurfaceMesh& mesh);
 
 }  // namespace trocar

@@ -40,6 +40,10 @@ struct Box {
     [[nodiscard]] bool overlaps(const Box& other) const {
         return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
     }
+    /// Square of the distance (mm²) of a point; 0 for one in it.
+    [[nodiscard]] double squared_distance(const Vec3& point) const {
+        return (point - point.cwiseMax(low).cwiseMin(high)).squaredNorm();
+    }
     /// The same box with every face moved out by `margin` (mm).
     [[nodiscard]] Box grown(double margin) const {
         return {low - Vec3::Constant(margin), high + Vec3::Constant(margin)};

@@ -38,6 +38,7 @@ void add_front(CLI::App& app, Program& program);
 void add_snapshot(CLI::App& app, Program& program);
 void add_figure(CLI::App& app, Program& program);
 void add_check(CLI::App& app, Program& program);
+void add_bench(CLI::App& app, Program& program);
 void add_fuzzy(CLI::App& app, Program& program);
 /// @}
 

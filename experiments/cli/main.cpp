@@ -61,6 +61,7 @@ int run_program(int argc, char** argv) {
     trocar::add_snapshot(app, program);
     trocar::add_figure(app, program);
     trocar::add_check(app, program);
+    trocar::add_bench(app, program);
     trocar::add_fuzzy(app, program);
     if (argc > 1) check_command(app, program.arguments[1]);
     try {

@@ -7,11 +7,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/geometry/mesh_error.h"
-#include "common/geometry/mesh_input.h"
-#include "common/geometry/organ_shapes.h"
 #include "common/tool/tool_shapes.h"
 #include "experiments/cli/analysis_program.h"
+#include "experiments/cli/organ_argument.h"
 #include "experiments/cli/picture_json.h"
 #include "experiments/cli/temporary_folder.h"
 #include "experiments/input_error.h"
@@ -23,12 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-Organ organ_of(const SceneRequest& request) {
-    if (fs::is_regular_file(request.organ)) return read_organ(request.organ, request.organ_size).organ;
-    if (request.organ_size) throw InputError("--size is for an organ from a mesh file");
-    return make_organ_by_formula(request.organ);
-}
 
 std::optional<Recording> recording_of(const SceneRequest& request, const SceneEntry& scene) {
     if (!scene.needs_recording) {
@@ -73,7 +65,7 @@ json description_of(const SceneRequest& request, const Organ& organ, const Tool&
 int draw_scene(const SceneRequest& request, const std::string& output) {
     try {
         const SceneEntry& scene = find_scene(request.scene);
-        const Organ organ = organ_of(request);
+        const Organ organ = organ_of_argument(request.organ, request.organ_size).organ;
         const Tool tool = make_tool_by_formula(request.tool);
         const SurfaceQueries queries(organ.rest);
         const std::optional<Recording> recording = recording_of(request, scene);

@@ -39,9 +39,15 @@ VertexReading vertex_reading_of(const Options& resolved) {
 
 void put_in_order(std::vector<FacetNormal>& facets, const Vec3& motion, const VertexReading& reading) {
     if (reading.order == Order::ring) return;
-    std::ranges::stable_sort(facets, std::ranges::greater{}, [&](const FacetNormal& one) {
+    const auto strength = [&](const FacetNormal& one) {
         return std::abs(collision_index(motion, one.normal));
-    });
+    };
+    // By insertion: a ring is short, and std::stable_sort asks for memory.
+    for (auto next = facets.begin(); next != facets.end(); ++next) {
+        const auto place =
+            std::ranges::upper_bound(facets.begin(), next, strength(*next), std::ranges::greater{}, strength);
+        std::rotate(place, next, next + 1);
+    }
 }
 
 void gather_facets(const Contact& contact, Index vertex, const Vec3& motion, const VertexReading& reading,

@@ -98,6 +98,7 @@ class CommandLine(ProgramTest):
 
     def test_help_of_each_command_has_an_example(self):
         for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["rank"], ["front"], ["snapshot"], ["figure"], ["reproduce"], ["check"],
+                        ["bench"],
                         ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
             text = self.expect_done(*command, "--help").stdout
