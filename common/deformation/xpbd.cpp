@@ -231,6 +231,7 @@ void XpbdIntegrator::wake_what_is_strained(std::span<const std::uint32_t> patche
     while (!patches.empty()) {
         begin_wishes();
         for (const std::uint32_t patch : patches) {
+            if (all_awake(layout_.neighbours[patch])) continue;
             for (const std::uint32_t k : layout_.springs_at[patch]) {
                 const Spring& spring = layout_.springs[k];
                 const std::uint32_t other = layout_.patch_of[spring.a] == patch ? spring.b : spring.a;
@@ -240,6 +241,10 @@ void XpbdIntegrator::wake_what_is_strained(std::span<const std::uint32_t> patche
         }
         patches = wake(to_wake_);
     }
+}
+
+bool XpbdIntegrator::all_awake(std::span<const std::uint32_t> patches) const {
+    return std::ranges::all_of(patches, [&](std::uint32_t patch) { return awake_.awake(patch); });
 }
 
 /// Whether a spring would move the free vertex at this end of it by more than what counts as still.
@@ -358,12 +363,13 @@ std::uint32_t XpbdIntegrator::steps_to_sleep() const {
 
 /// Whether a strained spring joins a patch that may sleep to one that stays awake.
 bool XpbdIntegrator::strained_towards_awake(std::uint32_t patch) const {
+    const auto stays_awake = [&](std::uint32_t other) { return awake_.awake(other) && !may_sleep(other); };
+    if (std::ranges::none_of(layout_.neighbours[patch], stays_awake)) return false;
     return std::ranges::any_of(layout_.springs_at[patch], [&](std::uint32_t k) {
         const Spring& spring = layout_.springs[k];
         const bool a_is_own = layout_.patch_of[spring.a] == patch;
         const std::uint32_t other = layout_.patch_of[a_is_own ? spring.b : spring.a];
-        return other != patch && awake_.awake(other) && !may_sleep(other) &&
-               strained(spring, a_is_own ? spring.a : spring.b);
+        return other != patch && stays_awake(other) && strained(spring, a_is_own ? spring.a : spring.b);
     });
 }
 

@@ -91,6 +91,7 @@ class XpbdIntegrator {
     std::span<const std::uint32_t> wake(std::span<const std::uint32_t> patches);
     void begin_wishes();
     void want_awake(std::uint32_t patch);
+    [[nodiscard]] bool all_awake(std::span<const std::uint32_t> patches) const;
     [[nodiscard]] bool held(std::uint32_t slot) const { return held_in_[slot] == step_; }
     [[nodiscard]] bool strained(const Spring& spring, std::uint32_t slot) const;
     [[nodiscard]] std::uint32_t steps_to_sleep() const;

@@ -71,7 +71,8 @@ std::string case_id_of(const CaseInputs& inputs) {
     object["strategy"] = inputs.strategy.name;
     object["options"] = to_json(inputs.strategy.options);
     object["cycle"]["release"] = release_name(inputs.cycle.release);
-    // Of the scene's start nothing sleeps. The full simulation has the ids that it had before there was sleep.
+    // Of the scene's start nothing sleeps. The full simulation has the ids that it had before there was
+    // sleep.
     if (inputs.springs.sleep) object["deformation"]["sleep"] = true;
     return hash_of(object.dump());
 }

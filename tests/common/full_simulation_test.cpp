@@ -1,6 +1,7 @@
 // Without sleep the integrator is the plain one, to the bit, however springs and vertices lie in memory.
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -105,6 +106,29 @@ INSTANTIATE_TEST_SUITE_P(ByFormula, FullSimulation,
                              std::ranges::replace(name, '@', '_');
                              return name;
                          });
+
+TEST(SpringKernels, OfThisProcessorAndOfEveryProcessorHaveTheSameBits) {
+    std::mt19937 generator(8);  // NOLINT(bugprone-random-generator-seed): the same in every run
+    std::uniform_real_distribution<> number(-3, 3);
+    constexpr std::uint32_t springs = 11, idle = 2 * springs;
+    std::vector<Slot> positions(idle + 1, Slot(0, 0, 0, 0));
+    std::vector<SpringLayout::Spring> level;
+    for (std::uint32_t k = 0; k < springs; ++k) {
+        for (const std::uint32_t slot : {2 * k, 2 * k + 1}) {
+            positions[slot] =
+                Slot(number(generator), number(generator), number(generator), std::abs(number(generator)));
+        }
+        level.push_back({.a = 2 * k, .b = 2 * k + 1, .level = 1, .rest_length = 2, .compliance = 0.5});
+    }
+    positions[0][3] = positions[1][3] = 0;            // neither end moves
+    positions[4].head<3>() = positions[5].head<3>();  // no length, no direction
+    for (std::uint32_t count = 0; count <= springs; ++count) {
+        std::vector<Slot> plain = positions, fast = positions;
+        plain_spring_kernels().project({level.data(), count}, plain.data(), idle);
+        spring_kernels().project({level.data(), count}, fast.data(), idle);
+        EXPECT_EQ(plain, fast) << count << " springs";
+    }
+}
 
 TEST(SpringLayout, NoTwoSpringsOfALevelShareAVertexAndSharersKeepTheirOrder) {
     const SpringNetwork network = surface_springs(make_organ_by_formula("sphere@5mm"), {});

@@ -1,4 +1,4 @@
-// Once warm, a strategy asks for no memory.
+// Once warm, neither a strategy nor any other phase of a step asks for memory.
 
 #include <algorithm>
 #include <memory>
@@ -75,6 +75,35 @@ TEST_P(WarmStrategy, AsksForNoMemoryOnAConvexTool) {
 TEST_P(WarmStrategy, AsksForNoMemoryOnAToolThatIsNotConvex) {
     static const Stage stage("sphere@1.5mm", "grasper");
     handles_without_memory(stage);
+}
+
+/// What the steps of one more run of the scene ask for, in a cycle that goes on.
+std::int64_t allocations_of_a_run(Cycle& cycle, const PreparedScene& scene, const Handler& handler) {
+    const AllocationCount count;
+    for (const Pose& pose : scene.poses) {
+        cycle.move(pose);
+        cycle.detect();
+        cycle.handle(handler);
+        cycle.deform();
+    }
+    return count.so_far();
+}
+
+TEST_P(WarmStrategy, AWholeStepAsksForNoMemory) {
+    static const Stage stage("sphere@3mm", "prism-12");
+    const PreparedScene scene = prepare_scene(find_scene("penetration"), stage.inputs(100, 1));
+    const auto strategy = make_strategy(GetParam().name, GetParam().options);
+    const Handler handler = [&](const Contact& contact, Response& response) {
+        strategy->handle(contact, response);
+    };
+    for (const bool sleep : {true, false}) {
+        SpringSettings springs;
+        springs.sleep = sleep;
+        Cycle cycle(stage.organ, stage.tool, scene.start, CycleSettings{}, springs);
+        EXPECT_GT(allocations_of_a_run(cycle, scene, handler), 0) << "or the count is not of it";
+        allocations_of_a_run(cycle, scene, handler);
+        EXPECT_EQ(allocations_of_a_run(cycle, scene, handler), 0) << "sleep: " << sleep;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, WarmStrategy, testing::ValuesIn(all_variants()), [](const auto& variant) {
