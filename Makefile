@@ -90,7 +90,7 @@ define draw_paper_figure
 endef
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures claims choice readings sensitivity everything test sanitize \
+.PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures claims sleep choice readings sensitivity everything test sanitize \
     mutate lint docs bench reference_bench clean
 
 help:  ## list the targets
@@ -142,6 +142,23 @@ claims: build  ## judge every claim of the paper on all seeds, results/reference
 	xz -9e -c build/claims/small.h5 > $(reference_claims)/claims.h5.xz
 	$(PYTHON) cmake/readme_part.py README.md verdicts $(reference_claims)/verdicts.md
 	$(PYTHON) cmake/readme_part.py results/reference/README.md verdicts $(reference_claims)/verdicts.md
+
+# The sweeps of the paper and of its claims as they are but for one line.
+with_sleep = sed 's/^sleep = false/sleep = true/' $(1) > $(2)
+sleep: build  ## what sleep changes in the paper's comparison and in the verdicts, results/reference/sleep/
+	mkdir -p build/sleep/claims results/reference/sleep
+	$(call with_sleep,experiments/paper.toml,build/sleep/paper.toml)
+	cp experiments/claims.toml build/sleep
+	set -e; for sweep in experiments/claims/*.toml; do \
+	    $(call with_sleep,$$sweep,build/sleep/claims/$$(basename $$sweep)); done
+	build/trocar run experiments/paper.toml -o build/sleep/full.h5
+	build/trocar run build/sleep/paper.toml -o build/sleep/sleeping.h5
+	$(PYTHON) cmake/sleep_differences.py build/sleep/full.h5 build/sleep/sleeping.h5 > results/reference/sleep/differences.md
+	build/trocar reproduce --quick -o build/sleep/claims_full.h5 --markdown > build/sleep/full.md
+	build/trocar reproduce --quick --claims-file build/sleep/claims.toml -o build/sleep/claims_sleeping.h5 --markdown \
+	    > build/sleep/sleeping.md
+	sed '/^$$/q' build/sleep/full.md > results/reference/sleep/verdicts_full.md
+	sed '/^$$/q' build/sleep/sleeping.md > results/reference/sleep/verdicts_sleeping.md
 
 choice: paper  ## rank the strategies scene by scene and draw what less penetration costs, results/reference/choice/
 	mkdir -p results/reference/choice

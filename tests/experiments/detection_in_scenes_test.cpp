@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +13,9 @@
 #include "common/geometry/organ_shapes.h"
 #include "common/geometry/predicates.h"
 #include "common/tool/tool_shapes.h"
+#include "experiments/scenes/placement.h"
 #include "experiments/scenes/prepared_scene.h"
+#include "stage.h"
 #include "strategies/registry.h"
 
 namespace trocar {
@@ -90,6 +94,33 @@ class BruteForce {
     std::vector<std::array<bool, 3>> flat_;
 };
 
+/// What was found over a scene.
+struct Found {
+    std::size_t collided = 0, crossed = 0;
+};
+
+/// Runs the scene and compares at every step what detection finds with what brute force finds.
+void compare_at_every_step(const Organ& organ, const Tool& tool, const PreparedScene& scene,
+                           Strategy& strategy, Release release, Found& found) {
+    const BruteForce brute_force(organ, tool);
+    Cycle cycle(organ, tool, scene.start, {.release = release}, {});
+    for (const Pose& pose : scene.poses) {
+        cycle.move(pose);
+        cycle.detect();
+        const Detected expected = brute_force.detect(cycle.positions(), pose);
+        ASSERT_EQ(cycle.detected().collided, expected.collided);
+        ASSERT_EQ(cycle.detected().crossed, expected.crossed);
+        found.collided += expected.collided.size();
+        found.crossed += expected.crossed.size();
+        for (const Index v : expected.collided) {
+            ASSERT_TRUE(std::ranges::binary_search(cycle.detected().near_vertices, v))
+                << "collided but not near";
+        }
+        cycle.handle([&](const Contact& contact, Response& response) { strategy.handle(contact, response); });
+        cycle.deform();
+    }
+}
+
 class RandomScene : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomScene, DetectionEqualsBruteForceAtEveryStep) {
@@ -109,33 +140,39 @@ TEST_P(RandomScene, DetectionEqualsBruteForceAtEveryStep) {
                                                                           .dt = 1.0 / 30,
                                                                           .seed = seed});
     const auto strategy = make_strategy(seed % 4 < 2 ? "fuzzy-per-vertex" : "nearest-face");
-    const BruteForce brute_force(organ, tool);
-
-    const Release release = seed % 5 == 0 ? Release::step : Release::contact;
-    Cycle cycle(organ, tool, scene.start, {.release = release}, {});
-    std::size_t collided = 0, crossed = 0;
-    for (const Pose& pose : scene.poses) {
-        cycle.move(pose);
-        cycle.detect();
-        const Detected expected = brute_force.detect(cycle.positions(), pose);
-        ASSERT_EQ(cycle.detected().collided, expected.collided);
-        ASSERT_EQ(cycle.detected().crossed, expected.crossed);
-        collided += expected.collided.size();
-        crossed += expected.crossed.size();
-        for (const Index v : expected.collided) {
-            ASSERT_TRUE(std::ranges::binary_search(cycle.detected().near_vertices, v))
-                << "collided but not near";
-        }
-        cycle.handle(
-            [&](const Contact& contact, Response& response) { strategy->handle(contact, response); });
-        cycle.deform();
-    }
+    Found found;
+    compare_at_every_step(organ, tool, scene, *strategy, seed % 5 == 0 ? Release::step : Release::contact,
+                          found);
     if (tool.solid.convex() && tool.radius >= 5) {
-        EXPECT_GT(collided, 0U) << "a slim tool or jaw may pass between the vertices, this may not";
+        EXPECT_GT(found.collided, 0U) << "a slim tool or jaw may pass between the vertices, this may not";
     }
-    EXPECT_GT(crossed, 0U);
+    EXPECT_GT(found.crossed, 0U);
 }
 INSTANTIATE_TEST_SUITE_P(Fifty, RandomScene, testing::Range<std::uint64_t>(1, 51));
+
+class SceneOfTheList : public testing::TestWithParam<std::string> {};
+
+TEST_P(SceneOfTheList, DetectionEqualsBruteForceAtEveryStep) {
+    const SceneEntry& scene = find_scene(GetParam());
+    for (const char* organ : {"sphere@5mm", "tube@6mm", "cleft@6mm"}) {
+        const Stage stage(organ);
+        const SceneInputs inputs = stage.inputs(200, 2);
+        if (!unsuited(scene, inputs).empty()) continue;
+        Found found;
+        compare_at_every_step(stage.organ, stage.tool, prepare_scene(scene, inputs),
+                              *make_strategy("fuzzy-per-vertex"), Release::contact, found);
+        if (scene.name == "extraction") continue;  // what only leaves may cross nothing
+        EXPECT_GT(found.crossed, 0U) << organ;
+    }
+}
+INSTANTIATE_TEST_SUITE_P(All, SceneOfTheList, testing::ValuesIn([] {
+                             std::vector<std::string> names;
+                             for (const SceneEntry& scene : all_scenes()) {
+                                 if (!scene.needs_recording) names.push_back(scene.name);
+                             }
+                             return names;
+                         }()),
+                         [](const auto& scene) { return scene.param; });
 
 }  // namespace
 }  // namespace trocar
