@@ -4,7 +4,7 @@
 
 #include "common/geometry/vector.h"
 
-#if defined(__x86_64__)
+#ifdef __x86_64__
 #include <immintrin.h>
 #endif
 
@@ -47,8 +47,10 @@ double pull_to_rest(Slot* positions, const Slot* before, const Slot* rest, const
     return fastest;
 }
 
-#if defined(__x86_64__)
+#ifdef __x86_64__
 #define TROCAR_AVX2 __attribute__((target("avx2")))
+// std::array would take the alignment from them.
+// NOLINTBEGIN(modernize-avoid-c-arrays)
 
 /// x, y, z and w of four slots, made of the slots themselves.
 struct Transposed {
@@ -75,7 +77,7 @@ TROCAR_AVX2 inline void project_four(const Spring* spring, Slot* positions) {
     for (int k = 0; k < 4; ++k) {
         a[k] = _mm256_load_pd(positions[spring[k].a].data());
         b[k] = _mm256_load_pd(positions[spring[k].b].data());
-        along[k] = _mm256_sub_pd(b[k], a[k]);
+        along[k] = b[k] - a[k];
     }
     const Transposed d = transposed(along);
     const __m256d w_a = fourths(a), w_b = fourths(b);
@@ -83,10 +85,9 @@ TROCAR_AVX2 inline void project_four(const Spring* spring, Slot* positions) {
                                               spring[1].rest_length, spring[0].rest_length);
     const __m256d compliance =
         _mm256_set_pd(spring[3].compliance, spring[2].compliance, spring[1].compliance, spring[0].compliance);
-    const __m256d length = _mm256_sqrt_pd(_mm256_add_pd(
-        _mm256_add_pd(_mm256_mul_pd(d.x, d.x), _mm256_mul_pd(d.y, d.y)), _mm256_mul_pd(d.z, d.z)));
-    const __m256d softness = _mm256_add_pd(_mm256_add_pd(w_a, w_b), compliance);
-    const __m256d share = _mm256_div_pd(_mm256_sub_pd(length, rest_length), _mm256_mul_pd(length, softness));
+    const __m256d length = _mm256_sqrt_pd(d.x * d.x + d.y * d.y + d.z * d.z);
+    const __m256d softness = w_a + w_b + compliance;
+    const __m256d share = (length - rest_length) / (length * softness);
     // A spring without length has no direction. One between masses that do not move is multiplied by zero.
     const __m256d zero = _mm256_setzero_pd();
     const __m256d s = _mm256_and_pd(share, _mm256_cmp_pd(length, zero, _CMP_NEQ_UQ));
@@ -94,12 +95,11 @@ TROCAR_AVX2 inline void project_four(const Spring* spring, Slot* positions) {
     _mm256_store_pd(shares, s);
 #pragma GCC unroll 4
     for (int k = 0; k < 4; ++k) {
-        const __m256d pull =
-            _mm256_mul_pd(_mm256_blend_pd(along[k], zero, 8), _mm256_broadcast_sd(&shares[k]));
+        const __m256d pull = _mm256_blend_pd(along[k], zero, 8) * _mm256_broadcast_sd(&shares[k]);
         const __m256d moves_a = _mm256_permute4x64_pd(a[k], 0xff),
                       moves_b = _mm256_permute4x64_pd(b[k], 0xff);
-        _mm256_store_pd(positions[spring[k].a].data(), _mm256_add_pd(a[k], _mm256_mul_pd(moves_a, pull)));
-        _mm256_store_pd(positions[spring[k].b].data(), _mm256_sub_pd(b[k], _mm256_mul_pd(moves_b, pull)));
+        _mm256_store_pd(positions[spring[k].a].data(), a[k] + moves_a * pull);
+        _mm256_store_pd(positions[spring[k].b].data(), b[k] - moves_b * pull);
     }
 }
 
@@ -121,8 +121,7 @@ TROCAR_AVX2 void predict_avx2(Slot* positions, Slot* before, const Slot* velocit
     for (std::uint32_t slot = begin; slot < end; ++slot) {
         const __m256d x = _mm256_load_pd(positions[slot].data()), v = _mm256_load_pd(velocities[slot].data());
         _mm256_store_pd(before[slot].data(), x);
-        _mm256_store_pd(positions[slot].data(),
-                        _mm256_add_pd(x, _mm256_mul_pd(h_4, _mm256_mul_pd(kept_4, v))));
+        _mm256_store_pd(positions[slot].data(), x + h_4 * (kept_4 * v));
     }
 }
 
@@ -133,17 +132,19 @@ TROCAR_AVX2 double pull_to_rest_avx2(Slot* positions, const Slot* before, const 
     __m256d fastest = _mm256_setzero_pd();
     for (std::uint32_t slot = begin; slot < end; ++slot) {
         const __m256d x = _mm256_load_pd(positions[slot].data());
-        const __m256d way = _mm256_sub_pd(_mm256_load_pd(rest[slot].data()), x);
-        const __m256d there = _mm256_add_pd(x, _mm256_mul_pd(way, _mm256_broadcast_sd(&shares[slot])));
-        const __m256d v = _mm256_div_pd(_mm256_sub_pd(there, _mm256_load_pd(before[slot].data())), h_4);
+        const __m256d way = _mm256_load_pd(rest[slot].data()) - x;
+        const __m256d there = x + way * _mm256_broadcast_sd(&shares[slot]);
+        const __m256d v = (there - _mm256_load_pd(before[slot].data())) / h_4;
         _mm256_store_pd(positions[slot].data(), there);
         _mm256_store_pd(velocities[slot].data(), v);
-        const __m256d squares = _mm256_mul_pd(v, v);
-        const __m256d pairs = _mm256_add_pd(squares, _mm256_permute_pd(squares, 5));
-        fastest = _mm256_max_pd(fastest, _mm256_add_pd(pairs, _mm256_permute2f128_pd(pairs, pairs, 1)));
+        const __m256d squares = v * v;
+        const __m256d pairs = squares + _mm256_permute_pd(squares, 5);
+        const __m256d sums = pairs + _mm256_permute2f128_pd(pairs, pairs, 1);
+        fastest = sums > fastest ? sums : fastest;
     }
     return _mm256_cvtsd_f64(fastest);
 }
+// NOLINTEND(modernize-avoid-c-arrays)
 #endif
 
 }  // namespace
@@ -154,9 +155,9 @@ const SpringKernels& plain_spring_kernels() {
 }
 
 const SpringKernels& spring_kernels() {
-#if defined(__x86_64__)
+#ifdef __x86_64__
     static const SpringKernels avx2{project_avx2, predict_avx2, pull_to_rest_avx2};
-    if (__builtin_cpu_supports("avx2") != 0) return avx2;
+    if (__builtin_cpu_supports("avx2")) return avx2;
 #endif
     return plain_spring_kernels();
 }

@@ -186,7 +186,10 @@ void XpbdIntegrator::touch(std::uint32_t patch) {
 
 /// Within a substep what happens in a patch reaches into those around it: they wake with it.
 void XpbdIntegrator::wake_touched(const StepLoad& load) {
-    if (settings_.still == 0) return touched_.clear();
+    if (settings_.still == 0) {
+        touched_.clear();
+        return;
+    }
     for (const VertexForce& f : load.forces) touch(layout_.patch_of[layout_.slot_of[f.vertex]]);
     for (const HalfSpace& allowed : load.half_spaces)
         touch(layout_.patch_of[layout_.slot_of[allowed.vertex]]);
