@@ -173,11 +173,8 @@ void XpbdIntegrator::release(std::uint32_t slot) {
 void XpbdIntegrator::predict() {
     const double kept = 1 / (1 + settings_.damping * h_);
     for (const std::uint32_t patch : awake_.patches()) {
-        for (std::uint32_t slot = layout_.patch_begins[patch]; slot < layout_.patch_begins[patch + 1];
-             ++slot) {
-            before_[slot] = positions_[slot];
-            positions_[slot] += h_ * (kept * velocities_[slot]);
-        }
+        kernels_.predict(positions_.data(), before_.data(), velocities_.data(), layout_.patch_begins[patch],
+                         layout_.patch_begins[patch + 1], kept, h_);
     }
 }
 

@@ -39,10 +39,13 @@ struct Integration {
 /// algorithm 1).
 ///
 /// **Sleep.** A patch falls asleep when it has been still for a tenth of a second and nothing acts on it. It
-/// wakes when something does, when a neighbour does, or when a vertex to which a spring joins it has moved by
-/// more than `still` since it fell asleep, in whichever substep. What sleeps is left where it is, without
-/// velocity. A step of what is awake costs what is awake, in the order in which it would be done were all
-/// awake.
+/// wakes when something acts on it or on a patch beside it, or when a vertex to which a spring joins it has
+/// moved by more than `still` since it fell asleep, in whichever substep. What sleeps is left where it is,
+/// without velocity. Where patches that sleep and patches that are awake meet, springs are all but relaxed: a
+/// spring that would move a vertex by more than `still` in a substep has both its ends awake or both asleep.
+/// (One iteration does not solve the springs. To rest is to be moved to and fro within a substep, and what is
+/// moved alone comes to rest elsewhere.) A step costs what is awake, in the order in which it would be done
+/// were all awake.
 class XpbdIntegrator {
   public:
     /// Begins at `start`; what of it is at rest sleeps. Throws std::invalid_argument when a mass is not

@@ -143,7 +143,7 @@ void XpbdIntegrator::let_sleep() {
 bool XpbdIntegrator::may_sleep(std::uint32_t patch) const { return calm_steps_[patch] >= steps_to_sleep(); }
 
 std::uint32_t XpbdIntegrator::steps_to_sleep() const {
-    return static_cast<std::uint32_t>(std::ceil(calm_time / settings_.dt - 1e-9));
+    return static_cast<std::uint32_t>(std::max(1.0, std::ceil(calm_time / settings_.dt - 1e-9)));
 }
 
 /// Whether a strained spring joins a patch that may sleep to one that stays awake.

@@ -15,8 +15,8 @@ struct Patch {
     std::vector<Index> vertices;  ///< ascending
 };
 
-/// Facets of a patch at most: on 2,000 to 1,000,000 facets smaller ones cost more to keep track of, and
-/// larger ones keep more vertices awake and tested than the tool touches.
+/// Facets of a patch at most. On an organ of 30,000, 64 to 192 cost the same; 32 cost more to keep track of,
+/// and 256 keep more awake than the tool moves.
 constexpr std::size_t largest_patch = 128;
 
 /// Splits a surface at the middle of its longest side, again and again, until no piece has more than
