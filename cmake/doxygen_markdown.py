@@ -51,7 +51,9 @@ def translate(page, text):
         parts[i] = re.sub(r"(?<!!)\[([^][]*)\]\(([^() ]*)\)", lambda match: link(page, match), parts[i])
         parts[i] = re.sub(r"^(#+ )(.*)$", lambda match: f"{match[0]} {{#{label(page, anchor(match[2]))}}}", parts[i],
                           flags=re.MULTILINE)
-    # The first heading is the page's.
+    # The first heading is the page's; a page that is a table alone has none.
+    if not re.search(r"^# ", "".join(parts[::2]), flags=re.MULTILINE):
+        parts.insert(0, f"# {page.stem.replace('_', ' ').capitalize()} {{#{label(page)}}}\n\n")
     return re.sub(r" \{#\w+\}$", f" {{#{label(page)}}}", "".join(parts), count=1, flags=re.MULTILINE)
 
 
