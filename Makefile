@@ -90,15 +90,27 @@ define draw_paper_figure
 endef
 
 .NOTPARALLEL:
-.PHONY: help packages lint_packages docs_packages configure build paper pictures figures paper_figures claims sleep choice readings sensitivity everything test sanitize \
+.PHONY: help packages lint_packages docs_packages configure build page paper pictures figures paper_figures claims sleep choice readings sensitivity everything test sanitize \
     mutate lint docs bench reference_bench clean
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z_]*\):.*  ## /\1\t/p' Makefile | expand -t 16
 	@echo "PRESET=debug (or asan, tsan) chooses another build than release; JOBS=1 uses one core."
 
-build: configure  ## build the program, build/trocar
+build: configure page  ## build the program, build/trocar
 	cmake --build --preset $(PRESET) --parallel $(JOBS)
+
+# The report's page, analysis/page/dist: its libraries come from the npm registry as package-lock.json has them.
+page = analysis/page
+page: $(page)/dist/page.js  ## bundle the page of reports
+
+$(page)/dist/page.js: $(page)/node_modules/.package-lock.json $(page)/build.mjs $(shell find $(page)/src -type f)
+	cd $(page) && npm run build
+
+$(page)/node_modules/.package-lock.json: $(page)/package.json $(page)/package-lock.json
+	command -v npm > /dev/null || sh cmake/install_packages.sh packages-page.txt
+	cd $(page) && npm ci
+	touch $@
 
 paper: build  ## run the paper's comparison: its table, its picture, its result file in build/paper/, and its claims judged
 	mkdir -p build/paper

@@ -1,0 +1,5 @@
+// A recorded case as the report holds it.
+
+export interface Replay {
+  caseId: string;
+}

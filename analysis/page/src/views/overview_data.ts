@@ -1,0 +1,3 @@
+// What Python has worked out for the overview.
+
+export interface Overview {}

@@ -1,0 +1,3 @@
+// Which series of which cases the report holds.
+
+export interface SeriesIndex {}
