@@ -23,15 +23,6 @@ std::string first_line(const char* file) {
     return std::getline(stream, line) ? line : "unknown";
 }
 
-std::string cpu_model() {
-    std::ifstream stream("/proc/cpuinfo");
-    for (std::string line; std::getline(stream, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-    }
-    return "unknown";
-}
-
 /// Processes ready to run, averaged over the last minute.
 double load() {
     double average = 0;
@@ -50,6 +41,15 @@ System system_names() {
 }
 
 }  // namespace
+
+std::string cpu_model() {
+    std::ifstream stream("/proc/cpuinfo");
+    for (std::string line; std::getline(stream, line);) {
+        const std::size_t colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "unknown";
+}
 
 std::string now_utc() {
     using std::chrono::floor, std::chrono::milliseconds, std::chrono::seconds, std::chrono::system_clock;

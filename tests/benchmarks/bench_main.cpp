@@ -1,26 +1,13 @@
 #include "tests/benchmarks/bench_main.h"
 
-#include <fstream>
 #include <string>
 
 #include <benchmark/benchmark.h>
 
 #include "experiments/run/build_info.h"
+#include "experiments/run/provenance.h"
 
 namespace trocar {
-namespace {
-
-std::string cpu_model() {
-    std::ifstream stream("/proc/cpuinfo");
-    for (std::string line; std::getline(stream, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
-    }
-    return "unknown";
-}
-
-}  // namespace
-
 int run_benchmarks(int argc, char** argv) {
     benchmark::AddCustomContext("cpu", cpu_model());
     benchmark::AddCustomContext("compiler", std::string(compiler()));
