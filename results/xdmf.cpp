@@ -123,7 +123,8 @@ Figures read_time(hid_t file, const std::string& case_id, hsize_t steps) {
     return std::move(*values);
 }
 
-void write_domain(std::ostream& out, hid_t file, const std::string& file_name) {
+void write_domain(std::ostream& out, hid_t file, const std::string& file_name,
+                  const std::optional<std::string>& only_case) {
     const hdf5::Group cases_at = hdf5::open_group(file, cases_group);
     const hdf5::Group replays = hdf5::open_group(file, replay_group);
     constexpr std::array shown{"case_id", "strategy"};
@@ -132,7 +133,7 @@ void write_domain(std::ostream& out, hid_t file, const std::string& file_name) {
     const Column* strategy = cases.find("strategy");
     const Texts* strategies = strategy == nullptr ? nullptr : std::get_if<Texts>(&strategy->values);
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (!hdf5::exists(replays.id(), ids[i])) continue;
+        if (!hdf5::exists(replays.id(), ids[i]) || (only_case && ids[i] != *only_case)) continue;
         const ReplayShape replay =
             shape_of_replay(hdf5::open_group(replays.id(), ids[i]).id(),
                             escaped(fmt::format("{}:/{}/{}", file_name, replay_group, ids[i])));
@@ -143,7 +144,8 @@ void write_domain(std::ostream& out, hid_t file, const std::string& file_name) {
 
 }  // namespace
 
-void write_xdmf(const std::filesystem::path& campaign, const std::filesystem::path& out_xdmf) {
+void write_xdmf(const std::filesystem::path& campaign, const std::filesystem::path& out_xdmf,
+                const std::optional<std::string>& only_case) {
     PendingFile pending(out_xdmf);
     supervised({&campaign, 1}, [&] {
         const CampaignFile from = open_campaign(campaign);
@@ -154,7 +156,7 @@ void write_xdmf(const std::filesystem::path& campaign, const std::filesystem::pa
         std::ofstream out(pending.temporary());
         out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
         write_domain(out, from.file.id(),
-                     std::filesystem::proximate(campaign, out_xdmf.parent_path()).string());
+                     std::filesystem::proximate(campaign, out_xdmf.parent_path()).string(), only_case);
         out << "</Domain>\n</Xdmf>\n";
         out.close();
         if (!out) throw StoreError(fmt::format("{}: cannot be written", out_xdmf.string()));

@@ -97,7 +97,7 @@ class CommandLine(ProgramTest):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["rank"], ["front"], ["snapshot"], ["figure"], ["reproduce"], ["check"],
+        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["rank"], ["front"], ["snapshot"], ["figure"], ["figures"], ["report"], ["export"], ["reproduce"], ["check"],
                         ["bench"],
                         ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
