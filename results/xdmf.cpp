@@ -70,12 +70,12 @@ std::string topology(const ReplayShape& replay, const char* dataset, hsize_t fac
         facets, replay.location, dataset);
 }
 
-/// Step `step` of a dataset [steps, points, 3].
+/// Step `step` of a dataset [steps, points, 3], as start : stride : count : size of the whole. That is what
+/// the readers of XDMF 3 in ParaView understand; out of an element HyperSlab, which those of XDMF 2 want,
+/// they get no points.
 std::string points_of_step(const ReplayShape& replay, const char* dataset, hsize_t step, hsize_t points) {
-    return fmt::format(R"(<DataItem ItemType="HyperSlab" Dimensions="{3} 3">)"
-                       R"(<DataItem Dimensions="3 3" Format="XML">{2} 0 0 1 1 1 1 {3} 3</DataItem>)"
-                       R"(<DataItem Dimensions="{4} {3} 3" NumberType="Float" Precision="4" Format="HDF">)"
-                       "{0}/{1}</DataItem></DataItem>",
+    return fmt::format(R"(<DataItem Dimensions="{3} 3" NumberType="Float" Precision="4" Format="HDF">)"
+                       "{0}/{1}|{2} 0 0:1 1 1:1 {3} 3:{4} {3} 3</DataItem>",
                        replay.location, dataset, step, points, replay.steps);
 }
 
@@ -154,7 +154,7 @@ void write_xdmf(const std::filesystem::path& campaign, const std::filesystem::pa
                 fmt::format("{}: holds no replay, so there is nothing to show", campaign.string()));
         }
         std::ofstream out(pending.temporary());
-        out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
+        out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
         write_domain(out, from.file.id(),
                      std::filesystem::proximate(campaign, out_xdmf.parent_path()).string(), only_case);
         out << "</Domain>\n</Xdmf>\n";
