@@ -1,4 +1,4 @@
-"""Inside ParaView: opens a file, steps through its times and says as JSON what it sees; draws the first and a chosen step.
+"""Inside ParaView: opens a file, steps through its times and says as JSON what it sees; draws a chosen step and the last.
 
 pvbatch paraview_frames.py FILE READER CHOSEN PICTURES
 """
@@ -38,7 +38,7 @@ def draw(reader, times):
     view.ViewSize = [600, 450]
     view.OrientationAxesVisibility = 0
     simple.Show(reader, view)
-    for name, time in (("first", times[0]), ("chosen", times[CHOSEN])):
+    for name, time in (("chosen", times[CHOSEN]), ("last", times[-1])):
         view.ViewTime = time
         simple.ResetCamera(view)
         simple.Render(view)
