@@ -78,17 +78,19 @@ class Vtk(ExportedCase):
 
     def test_what_is_inside_the_tool_vtk_finds_inside_too(self):
         step = self.busiest_step()
-        organ = read(vtk.vtkXMLPolyDataReader(), self.folder / f"organ_found_{step:04}.vtp")
-        tool = read(vtk.vtkXMLPolyDataReader(), self.folder / f"tool_{step:04}.vtp")
         distance = vtk.vtkImplicitPolyDataDistance()  # negative inside
-        distance.SetInput(tool)
-        depths = np.array([distance.EvaluateFunction(point) for point in points(organ).astype(float)])
-        clear = np.abs(depths) > 1e-3  # mm: not at the surface itself
-        inside = array(organ.GetPointData(), "inside_tool").astype(bool)
-        np.testing.assert_array_equal(inside[clear], depths[clear] < 0)
-        self.assertGreater(inside.sum(), 0)
-        touching = array(organ.GetCellData(), "in_tool").astype(bool)
-        self.assertTrue(touching[inside[facets(organ)].any(axis=1)].all())
+        distance.SetInput(read(vtk.vtkXMLPolyDataReader(), self.folder / f"tool_{step:04}.vtp"))
+        counts = {}
+        for moment in ("found", "deformed"):
+            organ = read(vtk.vtkXMLPolyDataReader(), self.folder / f"organ_{moment}_{step:04}.vtp")
+            depths = np.array([distance.EvaluateFunction(point) for point in points(organ).astype(float)])
+            clear = np.abs(depths) > 1e-3  # mm: not at the surface itself
+            inside = array(organ.GetPointData(), "inside_tool").astype(bool)
+            np.testing.assert_array_equal(inside[clear], depths[clear] < 0)
+            touching = array(organ.GetCellData(), "in_tool").astype(bool)
+            self.assertTrue(touching[inside[facets(organ)].any(axis=1)].all())
+            counts[moment] = inside.sum()
+        self.assertGreater(counts["found"], counts["deformed"])
 
     def test_a_frame_is_drawn(self):
         step = self.busiest_step()
