@@ -121,6 +121,7 @@ paper: build  ## run the paper's comparison: its table, its picture, its claims 
 	build/trocar snapshot build/paper/rapid.h5 -o build/paper/paper.png
 	build/trocar reproduce --quick -o build/paper/claims.h5
 	build/trocar merge build/paper/paper.h5 build/paper/rapid.h5 -o build/paper/report.h5
+	cp build/paper/claims.turns.csv build/paper/report.turns.csv
 	build/trocar report build/paper/report.h5 -o build/paper/report.html
 	@echo "See it: open build/paper/report.html in a browser."
 

@@ -3,6 +3,7 @@
 /usr/bin/python3 command_line_test.py PROGRAM
 """
 
+import json
 import os
 import pathlib
 import re
@@ -16,7 +17,9 @@ import numpy as np
 from program_test import ProgramTest, run_tests
 from same_bits import bits
 
-PAGES = pathlib.Path(__file__).resolve().parents[2] / "experiments" / "metrics" / "pages"
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+PAGES = SOURCE / "experiments" / "metrics" / "pages"
+TURNS = SOURCE / "results" / "reference" / "claims" / "claims.turns.csv"
 
 SWEEP = """name = "small"
 strategies = ["nearest-face", "fuzzy-per-vertex"]
@@ -299,10 +302,15 @@ class CommandLine(ProgramTest):
         self.expect_refused("none.h5", "report", self.folder / "none.h5", "-o", page)
         self.assertEqual(page.read_text(), text)
 
-    def test_report_reads_the_turns_beside_the_results(self):
+    def test_report_judges_the_claims_and_reads_the_turns_beside_the_results(self):
         self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1")
-        (self.folder / "out.turns.csv").write_text("no turns\n")
-        self.expect_refused("out.turns.csv", "report", self.out, "-o", self.folder / "report.html")
+        for turns, word in (("", "not run"), (TURNS.read_text(), "reproduced")):
+            if turns:
+                self.write("out.turns.csv", turns)
+            self.expect_done("report", self.out, "-o", self.folder / "report.html")
+            said = re.search(r'id="report">(.*?)</script>', (self.folder / "report.html").read_text(), re.DOTALL)[1]
+            claims = {claim["id"]: claim["verdicts"] for claim in json.loads(said)["overview"]["claims"]["claims"]}
+            self.assertEqual({verdict["word"] for verdict in claims["C11"]}, {word})
 
     def test_figures_fill_a_folder(self):
         self.expect_done("run", self.sweep, "-o", self.out)
