@@ -198,23 +198,15 @@ everything: build  ## run every organ, tool, scene, strategy and release: nothin
 test: build  ## build and run the tests
 	ctest --preset $(PRESET) --parallel $(JOBS) --no-tests=error
 
-# Of the scripts for browsers, these two are what the others share.
-page_tests = $(filter-out tests/page/browser.mjs tests/page/sample.mjs,$(wildcard tests/page/*.mjs))
-run_export_test = xvfb-run -a $(PYTHON) -B tests/export/$(1)_test.py build/trocar build/page/page.h5 build/page
+# Of the scripts for browsers, two are what the others share, and one measures.
+page_tests = $(filter-out $(addprefix tests/page/,browser.mjs sample.mjs frame_time.mjs),$(wildcard tests/page/*.mjs))
+test_export = xvfb-run -a $(PYTHON) -B tests/export/$(1)_test.py build/trocar build/export
 
-test-full: full_packages test build/page/report.html  ## the tests, and what they leave out: reports in a browser, exports in VTK and ParaView
+test-full: full_packages test  ## the tests, and what they leave out: the page of reports in a browser, exports in VTK and ParaView
 	cd $(page) && npm test
-	set -e; for script in $(page_tests); do echo "$$script"; node "$$script" build/page/report.html build/page/page.h5; done
-	$(call run_export_test,vtk)
-	$(call run_export_test,paraview)
-
-# A small sweep of which a few cases have replays, and its report.
-build/page/report.html: build tests/page/page.toml
-	mkdir -p build/page
-	build/trocar run tests/page/page.toml -o build/page/page.h5
-	build/trocar run tests/page/page.toml $(addprefix --only ,seed=1 release=contact scene=penetration speed=400) --replay \
-	    -o build/page/page.h5
-	build/trocar report build/page/page.h5 -o $@
+	set -e; for script in $(page_tests); do echo "$$script"; node "$$script"; done
+	$(call test_export,vtk)
+	$(call test_export,paraview)
 
 races:  ## run eight threads at once through the fuzzy inference under ThreadSanitizer
 	$(MAKE) configure PRESET=tsan TROCAR_LINK_PROGRAM=OFF

@@ -1,4 +1,4 @@
-"""What the tests of exports share: a recorded case, exported by the built program, and what is stored of it."""
+"""What the tests of exports share: a sweep with replays, a case of it exported by the built program, what is stored of it."""
 
 import pathlib
 import subprocess
@@ -10,23 +10,32 @@ import h5py
 import numpy as np
 
 
-class ExportedCase(unittest.TestCase):
-    """The first case with a replay, exported at all moments in all formats."""
+SWEEP = pathlib.Path(__file__).with_name("export.toml")
 
-    program = results = pictures = None  # set by run_tests
+
+class ExportedCase(unittest.TestCase):
+    """The first case, exported at all moments in all formats."""
+
+    program = pictures = None  # set by run_tests
 
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory(prefix="trocar-export-")
         cls.addClassCleanup(folder.cleanup)
-        cls.folder = pathlib.Path(folder.name) / "case"
+        cls.results, cls.folder = (pathlib.Path(folder.name) / name for name in ("results.h5", "case"))
+        cls.run_program("run", SWEEP, "--replay", "-o", cls.results)
         with h5py.File(cls.results) as file:
-            cls.case_id = next(case for case in file["cases/case_id"].asstr() if case in file["replay"])
+            cls.case_id = file["cases/case_id"].asstr()[0]
             cls.stored = {name: data[...] for name, data in file[f"replay/{cls.case_id}"].items()}
             cls.times = file[f"series/{cls.case_id}/time"][...]
         moments = [word for moment in ("found", "handled", "deformed") for word in ("--moment", moment)]
-        command = [cls.program, "export", cls.results, "--case", cls.case_id, "-o", cls.folder, *moments]
-        subprocess.run(list(map(str, command)), check=True, stdout=subprocess.DEVNULL)
+        cls.run_program("export", cls.results, "--case", cls.case_id, "-o", cls.folder, *moments)
+
+    @classmethod
+    def run_program(cls, *words):
+        done = subprocess.run(list(map(str, (cls.program, *words))), capture_output=True, text=True)
+        if done.returncode != 0:
+            raise AssertionError(f"trocar {words[0]} ended with {done.returncode}: {done.stderr}")
 
     @classmethod
     def busiest_step(cls):
@@ -39,9 +48,7 @@ class ExportedCase(unittest.TestCase):
 
 
 def run_tests():
-    """Of the test file that is run: `/usr/bin/python3 FILE PROGRAM RESULTS PICTURES`, a folder for what was drawn."""
-    ExportedCase.pictures, ExportedCase.results, ExportedCase.program = (
-        pathlib.Path(sys.argv.pop()).resolve() for _ in range(3)
-    )
+    """Of the test file that is run: `/usr/bin/python3 FILE PROGRAM PICTURES`, a folder for what is drawn."""
+    ExportedCase.pictures, ExportedCase.program = (pathlib.Path(sys.argv.pop()).resolve() for _ in range(2))
     ExportedCase.pictures.mkdir(parents=True, exist_ok=True)
     unittest.main()

@@ -1,7 +1,7 @@
 """ParaView opens replays: the .xdmf over a result file, and the .pvd that `trocar export` writes. It needs pvbatch with
 Debian's python3-paraview, and an X server, such as xvfb-run's; without ParaView it says so and is skipped.
 
-xvfb-run -a /usr/bin/python3 paraview_test.py PROGRAM RESULTS PICTURES
+xvfb-run -a /usr/bin/python3 paraview_test.py PROGRAM PICTURES
 """
 
 import json

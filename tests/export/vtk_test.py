@@ -1,7 +1,7 @@
 """VTK reads what `trocar export` writes: Debian's python3-vtk9, or the VTK in python3-paraview. It draws on an X server,
 such as xvfb-run's.
 
-xvfb-run -a /usr/bin/python3 vtk_test.py PROGRAM RESULTS PICTURES
+xvfb-run -a /usr/bin/python3 vtk_test.py PROGRAM PICTURES
 """
 
 import unittest
