@@ -4,8 +4,6 @@ such as xvfb-run's.
 xvfb-run -a /usr/bin/python3 vtk_test.py PROGRAM PICTURES
 """
 
-import unittest
-
 import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
