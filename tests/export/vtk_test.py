@@ -24,7 +24,8 @@ def read(reader, path):
 
 
 def points(surface):
-    return vtk_to_numpy(surface.GetPoints().GetData())
+    """As float32, which is what is stored; some of VTK's readers give doubles."""
+    return vtk_to_numpy(surface.GetPoints().GetData()).astype(np.float32)
 
 
 def facets(surface):
