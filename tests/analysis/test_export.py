@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
 import subprocess
 import unittest
 import xml.etree.ElementTree
@@ -11,7 +13,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from result_file import ProgramTest, box, dent, sheet, write_results
+from result_file import ANALYSIS, ProgramTest, box, dent, sheet, write_results
 
 
 class Export(ProgramTest):
@@ -134,6 +136,20 @@ class Export(ProgramTest):
             del file["replay/a1/handled"]
         self.assert_refused("export", self.file, "--case", "a1", "-o", self.case, saying=["is damaged"])
         self.assertEqual({name: (self.case / name).read_bytes() for name in self.names()}, before)
+
+    def test_a_killed_export_leaves_nothing_that_looks_whole(self) -> None:
+        write_results(self.file, [{"case_id": "a1"}], {"a1": dent(True) * 40})
+        self.export("--format", "ply", "--steps", ":1")
+        before = self.names()
+        command = ["/usr/bin/python3", "-B", "-m", "trocar_analysis", "export", self.file, "--case", "a1", "-o", self.case]
+        killed = subprocess.Popen(command, env=os.environ | {"PYTHONPATH": str(ANALYSIS)}, cwd=self.folder)
+        while killed.poll() is None and len(list(self.case.glob(".unfinished.*/*.vtp"))) < 2:
+            pass
+        killed.kill()
+        self.assertEqual(killed.wait(), -signal.SIGKILL, "it was done too soon to be killed")
+        self.assertEqual([name for name in self.names() if not name.startswith(".unfinished.")], before)
+        self.export("--format", "ply", "--steps", ":1")
+        self.assertEqual(self.names(), before)
 
     def test_a_full_disk_leaves_the_earlier_export(self) -> None:
         self.case.mkdir()
