@@ -12,6 +12,7 @@ import traceback
 from collections.abc import Callable
 
 from .errors import InputError
+from .publication.command import add as add_figures
 
 # Where the modules that Debian packages separately come from.
 DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "scipy", "matplotlib")}
@@ -25,7 +26,7 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    names = "show|compare|sensitivity|rank|front|claims|snapshot|figure|scene|metrics|rules"
+    names = "show|compare|sensitivity|rank|front|claims|snapshot|figure|figures|scene|metrics|rules"
     commands = parser.add_subparsers(dest="command", required=True, metavar=names)
 
     show = commands.add_parser("show", help="a table of what the file holds")
@@ -147,6 +148,8 @@ def make_parser() -> argparse.ArgumentParser:
     figure.add_argument("--panels", required=True, metavar="FILE", help="description of the figure, TOML")
     figure.add_argument("-o", "--output", required=True, metavar="FILE", help="picture: .png or .svg")
     figure.set_defaults(function=run_figure)
+
+    add_figures(commands)
 
     scene = commands.add_parser("scene", help="a picture of a scene that `trocar snapshot --scene` has laid out")
     scene.add_argument("file", help="description of the scene, JSON")
