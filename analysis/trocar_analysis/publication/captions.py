@@ -18,11 +18,12 @@ from .panels import Panels
 INTERVAL = "95 % bootstrap interval, seeds drawn within organs"
 
 
-def subject(compared: Compared) -> str:
-    """The figure, and what it is."""
+def subject(compared: Compared, defined: bool = False) -> str:
+    """The figure, and what it is where its name has no title, or where it is to be `defined`."""
     figure = compared.figure
-    name = f"{figure.title} ({figure.name})" if figure.title != figure.name else figure.name
-    return name + (f": {compared.words}" if compared.words else "")
+    has_title = figure.title != figure.name
+    name = f"{figure.title} ({figure.name})" if has_title else figure.name
+    return f"{name}: {compared.words}" if compared.words and (defined or not has_title) else name
 
 
 def way(figure: Figure) -> str:
@@ -61,12 +62,20 @@ def caption_table(compared: Compared, unit: str, only: list[str]) -> list[str]:
     """Of a table of latex_table.py."""
     has_intervals = compared.table["low"].notna().any()
     said = [
-        f"{subject(compared)}" + (f", in {unit}." if unit else "."), way(compared.figure), *chosen(only),
+        subject(compared, True) + (f", in {unit}." if unit else "."), way(compared.figure), *chosen(only),
         "Median" + (f" and, in brackets, its {INTERVAL}" if has_intervals else "; too few seeds for intervals") + ".",
     ]
     if has_intervals and compared.is_fair and compared.figure.better in BETTER:
         said.append("Bold: the best of its column, where its interval overlaps with no other one's.")
-    said += [*counts(compared), tests(compared)]
+    return tidy([*said, *counts(compared)])
+
+
+def notes_of_table(compared: Compared) -> list[str]:
+    """What stands below a table: the tests, and what was left out."""
+    said = [tests(compared)]
+    if compared.ranking:
+        ranks = compared.ranking.ranks
+        said.append(groups_words(ranks, critical_difference(len(ranks.strategies), len(ranks.blocks))))
     if compared.blocks:
         strategies = len(compared.table)
         pairs = strategies * (strategies - 1) // 2
@@ -107,13 +116,12 @@ def missing_of(used: pd.DataFrame, figure: Figure) -> int:
 def tests(compared: Compared) -> str:
     """That of all strategies, or why there is none."""
     if compared.ranking is None:
-        return "" if compared.no_ranking == "see below" else f"No test of ranks: {compared.no_ranking.rstrip('.')}."
+        return f"No test of ranks: {compared.no_ranking.rstrip('.')}." if compared.is_fair else ""
     ranks = compared.ranking.ranks
     difference = critical_difference(len(ranks.strategies), len(ranks.blocks))
     return (
         f"That all strategies rank alike: {p_words(friedman(ranks.of_block))} (Friedman's test as Iman and Davenport have it, "
-        f"{len(ranks.blocks)} blocks); critical difference of mean ranks {difference:.2f} (Nemenyi, α = {ALPHA:g}). "
-        + groups_words(ranks, difference)
+        f"{len(ranks.blocks)} blocks); critical difference of mean ranks {difference:.2f} (Nemenyi, α = {ALPHA:g})."
     )
 
 

@@ -59,7 +59,7 @@ def compare_strategies(cases: Cases, figure: Figure, only: list[str], better: di
         except InputError as error:
             no_ranking = without_path(error, cases)
     elif notes:
-        no_ranking = "see below"
+        no_ranking = notes[0].rstrip(".")
     table, blocks = strategies_of(figure, used, equal, ranking)
     return Compared(
         figure, words_of(figure, cases), used, labels, equal is not None, notes, table, ranking, no_ranking, blocks,

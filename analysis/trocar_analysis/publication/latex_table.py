@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,8 +15,10 @@ from ..table import number
 from .comparison import Compared
 from .latex import latex
 
-LETTERS = 100  # in a line of 16 cm at the size of footnotes
-GAP = 3  # letters, between columns
+LETTERS = 107  # in a line of 16 cm at the size of footnotes
+GAP = 2  # letters, between columns
+LINES, HEAD_LINES = 56, 2  # of a page, beside the caption; of the head of a part
+POWER = re.compile(r"e(-?)\+?0*(\d+)")  # of ten
 MARKED = ("low", "high")  # ways that are better, of figures in which the best is marked
 
 
@@ -28,17 +31,24 @@ class Part:
     over: str  # what stands above the strategies
 
 
-def table_text(compared: Compared, cases: Cases, conditions: list[str], caption: str, label: str, unit: str) -> str:
-    """The whole float. `unit`: what `unit_of` gives."""
+def table_text(compared: Compared, cases: Cases, conditions: list[str], caption: str, notes: str, label: str) -> str:
+    """One float, or several that together are the table where it is too long for a page."""
     names = [latex(name) for name in compared.table["label"]]
-    parts = [all_conditions(compared, unit)]
+    parts = [all_conditions(compared)]
     for name in conditions:
         parts += over_condition(compared, cases, name)
-    bodies = "\n\\par\\medskip\n".join(tabular(part, names) for part in parts)
-    return (
-        f"\\begin{{table}}[htbp]\n\\centering\\footnotesize\n\\caption{{{caption}}}\n\\label{{tab:{label}}}\n{bodies}\n"
-        "\\end{table}\n"
-    )
+    a_page = max(1, LINES // (len(names) + HEAD_LINES))
+    pages = [parts[start : start + a_page] for start in range(0, len(parts), a_page)]
+    floats = []
+    for number, page in enumerate(pages):
+        bodies = "\n\\par\\medskip\n".join(tabular(part, names) for part in page)
+        head = f"\\caption{{{caption}}}\n\\label{{tab:{label}}}" if number == 0 else "Continued from the table before."
+        below = f"\n\\par\\medskip\n\\parbox{{\\linewidth}}{{\\scriptsize {notes}}}" if page is pages[-1] and notes else ""
+        floats.append(
+            f"\\begin{{table}}[htbp]\n\\centering\\footnotesize\\setlength{{\\tabcolsep}}{{4pt}}\n{head}\n"
+            f"{bodies}{below}\n\\end{{table}}\n"
+        )
+    return "".join(floats)
 
 
 def unit_of(compared: Compared) -> tuple[str, float]:
@@ -47,11 +57,11 @@ def unit_of(compared: Compared) -> tuple[str, float]:
     return unit or compared.figure.counted.removeprefix("1"), factor
 
 
-def all_conditions(compared: Compared, unit: str) -> Part:
+def all_conditions(compared: Compared) -> Part:
     """The strategies over all conditions, with what tells them apart."""
-    table, (_, factor) = compared.table, unit_of(compared)
+    table, (unit, factor) = compared.table, unit_of(compared)
     best = [best_of(table, compared)] if len(table) > 1 else [None]
-    columns = [("median" + (f", {unit}" if unit else ""), [median_cell(row, factor, k == best[0])
+    columns = [("median" + (f", {latex(unit)}" if unit else ""), [median_cell(row, factor, k == best[0])
                 for k, (_, row) in enumerate(table.iterrows())])]  # fmt: skip
     if table["mean_rank"].notna().any():
         columns.append(("mean rank", [f"{rank:.2f}" for rank in table["mean_rank"]]))
@@ -99,13 +109,15 @@ def best_of(rows: pd.DataFrame, compared: Compared) -> int | None:
     if not compared.is_fair or better not in MARKED or rows[["low", "high"]].isna().any(axis=None) or len(rows) < 2:
         return None
     sign = 1 if better == "low" else -1
-    near, far = (sign * rows[["low", "high"]].to_numpy(float)).min(axis=1), (sign * rows[["low", "high"]].to_numpy(float)).max(axis=1)
+    ends = np.sort(sign * rows[["low", "high"]].to_numpy(float), axis=1)
+    near, far = ends.T
     best = int(np.argmin(sign * rows["median"].to_numpy(float)))
     return best if (far[best] < np.delete(near, best)).all() else None
 
 
 def median_cell(row: pd.Series, factor: float, is_best: bool) -> str:
     median, interval = (latex(part) for part in cell(*(float(row[name]) * factor for name in ("median", "low", "high"))))
+    median, interval = (POWER.sub(r"$\\times10^{\1\2}$", part) for part in (median, interval))
     median = f"\\textbf{{{median}}}" if is_best else median
     return f"{median} {interval}".rstrip()
 

@@ -21,8 +21,8 @@ MAIN = {
     "displacement_crossings_mean": "Displacements that cross a neighbour's",
     "strain_mean": "Strain of the organ's edges",
     "time_handle_p50": "Time of handling",
-    "time_cycle_p50": USUAL["time_cycle_p50"],
 }
+AGAINST = ("strain_mean", "time_handle_p50")  # the others of their fronts
 
 
 def main_figures(cases: Cases, metrics: list[str] | None, better: dict[str, str]) -> list[Figure]:

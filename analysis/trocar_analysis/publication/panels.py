@@ -21,8 +21,8 @@ from ..sensitivity_plot import BETTER, LEFT, MARGIN, Layout, add_panel, axis_wor
 # Inches.
 WIDTH, HEIGHT = 5.5, 1.1  # of a row's panels; of one
 BETWEEN, ROW_GAP = 0.2, 0.3  # as Layout has them: between panels; it has 0.5 between rows
-TITLE, KEY, KEY_LINE, KEY_LETTER, KEY_MARK = 0.14, 0.3, 0.17, 0.064, 0.52  # from the upper edge down; of the key
-HEADS = 0.42  # from the key down to the first row
+TITLE, KEY, KEY_LINE, KEY_LETTER, KEY_MARK = 0.14, 0.34, 0.152, 0.0575, 0.52  # from the upper edge down; of the key
+HEADS = 0.46  # from the key down to the first row
 AXIS, TICK_LINE = 0.6, 0.13  # below the last row; a further line of ticks
 SLOPE = 30  # degrees, of names that have no room beside each other
 SPREAD = 0.8  # of the room between two values, that the marks at one take at most
@@ -140,7 +140,7 @@ def draw_key(picture: Picture, lines: list[Line], columns: int) -> None:
     height = picture.get_figheight()
     key = picture.legend(
         handles=[mark_of(line) for line in lines], ncol=columns, loc="upper left", frameon=False, fontsize=8,
-        bbox_to_anchor=(MARGIN / picture.get_figwidth(), 1 - (KEY - 0.06) / height), borderpad=0, borderaxespad=0,
+        bbox_to_anchor=(MARGIN / picture.get_figwidth(), 1 - KEY / height), borderpad=0, borderaxespad=0,
         handlelength=3.2, columnspacing=1.2, handletextpad=0.5, labelspacing=0.35,
     )  # fmt: skip
     key.set_zorder(2)

@@ -11,18 +11,19 @@ from ..critical_difference import compose as compose_ranks
 from ..errors import InputError
 from ..front import Wishes as FrontWishes
 from ..front import read_front
-from .captions import caption_front, caption_over, caption_ranks, caption_table
+from ..rank import BETTER
+from .captions import caption_front, caption_over, caption_ranks, caption_table, notes_of_table
 from .comparison import Compared, compare_strategies, without_path
 from .files import file_name, make_folder, save_picture, save_text
 from .latex import latex
 from .latex_table import table_text, unit_of
-from .main_figures import conditions_that_vary, main_figures
+from .main_figures import AGAINST, conditions_that_vary, main_figures
 from .panels import compose, panels_over
 
 FOLDER = "\\TrocarFolder"  # in LaTeX: where the files are, from where LaTeX runs
 
 PREVIEW = """\\documentclass{article}
-\\usepackage[a4paper, margin=25mm]{geometry}
+\\usepackage[a4paper, margin=20mm]{geometry}
 \\usepackage{graphicx, booktabs}
 \\begin{document}
 \\input{figures}
@@ -89,17 +90,6 @@ def add_figure(pages: Pages, compared: Compared, cases: Cases, asked: Wishes) ->
     if figure.values.loc[used.index].isna().all():
         return [f"{figure.name}: left out: no case has a value ({figure.lacking})"]
     conditions = conditions_that_vary(used)
-    unit, _ = unit_of(compared)
-    caption = caption_table(compared, unit, asked.only)
-    text = table_text(compared, cases, conditions, latex(" ".join(caption)), name, unit)
-    pages.add_text(f"table_{name}", caption, text)
-    pages.tables += 1
-    if compared.ranking:
-        ranking = compared.ranking
-        ranks_name = f"rank_{name}"
-        pages.add_picture(ranks_name, lambda: compose_ranks(ranking.ranks, figure.title), caption_ranks(compared, asked.only))
-    else:
-        said.append(f"{figure.name}: no diagram of ranks: {compared.no_ranking if compared.is_fair else compared.notes[0] if compared.notes else compared.no_ranking}")
     overs = conditions or (["label"] if len(compared.labels) > 1 else [])
     if not overs:
         said.append(f"{figure.name}: no picture: one strategy under one condition; its table has the value")
@@ -107,14 +97,26 @@ def add_figure(pages: Pages, compared: Compared, cases: Cases, asked: Wishes) ->
         panels = panels_over(over, figure, cases, used, compared.labels)
         over_name = f"over_{'strategy' if over == 'label' else over}_{name}"
         pages.add_picture(over_name, lambda panels=panels: compose(panels), caption_over(compared, panels, asked.only))
+    if compared.ranking:
+        ranks = compared.ranking.ranks
+        pages.add_picture(f"rank_{name}", lambda: compose_ranks(ranks, figure.title), caption_ranks(compared, asked.only))
+    else:
+        said.append(f"{figure.name}: no diagram of ranks: {compared.no_ranking}")
+    caption, notes = caption_table(compared, unit_of(compared)[0], asked.only), notes_of_table(compared)
+    text = table_text(compared, cases, conditions, latex(" ".join(caption)), latex(" ".join(notes)), name)
+    pages.add_text(f"table_{name}", [*caption, *notes], text)
+    pages.tables += 1
     return said
 
 
 def add_fronts(pages: Pages, figures: list[Figure], cases: Cases, asked: Wishes) -> list[str]:
-    """The first figure of which one way is better, against each of the others."""
-    judged = [figure for figure in figures if figure.better in ("low", "high")]
+    """The first figure of which one way is better, against each of the others that are asked for, or against those of
+    AGAINST."""
+    judged = [figure for figure in figures if figure.better in BETTER]
     said = []
     for other in judged[1:]:
+        if asked.metrics is None and other.name not in AGAINST:
+            continue
         wishes = FrontWishes(judged[0].name, other.name, asked.only, asked.better)
         try:
             front = read_front(cases.path, wishes)
