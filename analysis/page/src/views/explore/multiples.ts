@@ -22,6 +22,7 @@ interface Layout {
   perLine: number;
   lines: number;
   turned: boolean; // the values along x stand at an angle
+  stacked: boolean; // a panel's title takes two lines
   gap: number; // px between lines of panels
   height: number;
 }
@@ -70,8 +71,10 @@ function layOut({ panels, xs, acrossCount }: Panels, width: number, labels: numb
   const room = (width - MARGIN.left) / perLine / xs.length;
   const longest = Math.max(...xs.map((x) => x.length * LETTER));
   const turned = longest > room;
-  const gap = 26 + (turned ? Math.min(longest, 90) * 0.6 + 10 : 18);
-  return { perLine, lines, turned, gap, height: MARGIN.top + lines * (PANEL_HEIGHT + gap) };
+  const title = Math.max(...panels.map(({ across, down }) => (across.length + down.length + 3) * LETTER * 1.15));
+  const stacked = title > (width - MARGIN.left) / perLine;
+  const gap = (stacked ? 40 : 26) + (turned ? Math.min(longest, 90) * 0.6 + 10 : 18);
+  return { perLine, lines, turned, stacked, gap, height: MARGIN.top + lines * (PANEL_HEIGHT + gap) - 8 };
 }
 
 function draw(shown: Shown, all: Panels, width: number): HTMLElement | Drawing {
@@ -83,10 +86,10 @@ function draw(shown: Shown, all: Panels, width: number): HTMLElement | Drawing {
   const svg = Plot.plot({
     width,
     height: layout.height,
-    marginTop: MARGIN.top,
+    marginTop: MARGIN.top + (layout.stacked ? 14 : 0),
     marginLeft: MARGIN.left,
     marginRight: MARGIN.right,
-    marginBottom: layout.gap,
+    marginBottom: layout.gap - (layout.stacked ? 36 : 22),
     style: { fontSize: "11px", fontFamily: "system-ui, sans-serif", color: "var(--chart-ink)", background: "transparent" },
     fx: { axis: null, padding: 0.07, domain: range(layout.perLine) },
     fy: { axis: null, padding: layout.lines > 1 ? layout.gap / (PANEL_HEIGHT + layout.gap) : 0, domain: range(layout.lines), paddingOuter: 0 } as Plot.ScaleOptions,
@@ -99,11 +102,11 @@ function draw(shown: Shown, all: Panels, width: number): HTMLElement | Drawing {
 
 type Placed = { panel: Panel; fx: number; fy: number };
 
-function marksOf(shown: Shown, { xs }: Panels, place: Placed[], { turned }: Layout): Plot.Markish[] {
+function marksOf(shown: Shown, { xs }: Panels, place: Placed[], { turned, stacked }: Layout): Plot.Markish[] {
   const { page, labels, factor, state } = shown;
   const isLog = state.scale === "log";
   const isOrdered = state.x !== "" && !page.cases.columns.get(state.x)!.levels;
-  const title = ({ panel }: Placed) => [panel.across, panel.down].filter(Boolean).join(" · ");
+  const title = ({ panel }: Placed) => [panel.across, panel.down].filter(Boolean).join(stacked ? "\n" : " · ");
   const marks: Plot.Markish[] = [
     Plot.frame({ stroke: "var(--chart-rule)" }),
     Plot.text(place, { fx: "fx", fy: "fy", text: title, frameAnchor: "top-left", dy: -7, lineAnchor: "bottom", fontWeight: 600, fill: "var(--chart-ink)" }),

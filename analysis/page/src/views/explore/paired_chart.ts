@@ -37,7 +37,7 @@ export function pairedChart(shown: Shown): ChartParts {
     unit: shown.unit,
     better: column.better,
     note: `A dot is a pair of cases with equal conditions and seed, a bar the quartiles, a point the median of the differences. ${counted(pairs.length, "pair")}: ${grouped(below)} below zero, ${grouped(above)} above, ${grouped(pairs.length - below - above)} equal. ${side ?? ""}`,
-    warning: [column.caution, leftOut.size ? `Left out: pairs ${tally(leftOut).replace(/^/, "– ").slice(2)}.` : ""].filter(Boolean).join(" "),
+    warning: [column.caution, leftOut.size && `Pairs left out: ${tally(leftOut)}.`].filter(Boolean).join(" "),
     draw: (width) => draw(shown, places, width),
     csv: () =>
       csvText([
