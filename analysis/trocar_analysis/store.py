@@ -118,6 +118,11 @@ class ResultFile:
         count = self._file.attrs.get("sweep_cases")
         return None if count is None else int(count)
 
+    def origin(self) -> dict[str, str]:
+        """Of the file: `created_utc`, `generator` and `sweep_toml`; "" for what it does not say."""
+        with self._reading():
+            return {name: text(self._file.attrs.get(name, "")) for name in ("created_utc", "generator", "sweep_toml")}
+
     def units(self) -> dict[str, str]:
         """The unit of each column of /cases and /states; "" for text and plain numbers."""
         with self._reading():

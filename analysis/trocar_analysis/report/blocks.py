@@ -39,6 +39,7 @@ class Blocks:
         if both := self._packed.keys() & others._packed.keys():
             raise ValueError(f"two arrays of the report are called {sorted(both)[0]}")
         self._packed |= others._packed
+        self._size += others._size
 
     def size(self) -> int:
         """Bytes that they take in the file."""
