@@ -192,8 +192,10 @@ export function jitter(row: number): number {
 
 function casesOf(shown: Shown, group: PanelGroup): { row: number; value: number }[] {
   const { cases } = shown.page;
+  const status = cases.codes("status");
+  const complete = status.levels.indexOf("complete");
   return group.rows
-    .filter((row) => cases.text("status", row) === "complete")
+    .filter((row) => status.codes[row] === complete)
     .map((row) => ({ row, value: cases.number(shown.state.figure, row) }))
     .filter(({ value }) => Number.isFinite(value));
 }
