@@ -28,6 +28,19 @@ class Blocks:
         self._size += len(packed)
         return {"block": name, "kind": kind, "shape": list(values.shape)}
 
+    def add_once(self, name: str, values: np.ndarray, kind: str) -> dict:
+        """As add; an array of this name is taken to be the same."""
+        if name in self._packed:
+            return {"block": name, "kind": kind, "shape": list(values.shape)}
+        return self.add(name, values, kind)
+
+    def take(self, others: Blocks) -> None:
+        """Adds the arrays of others."""
+        if both := self._packed.keys() & others._packed.keys():
+            raise ValueError(f"two arrays of the report are called {sorted(both)[0]}")
+        self._packed |= others._packed
+        self._size += others._size
+
     def size(self) -> int:
         """Bytes that they take in the file."""
         return self._size

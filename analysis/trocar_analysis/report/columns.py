@@ -15,7 +15,8 @@ from ..subject import CASES
 from ..table import ABSENT
 from .blocks import Blocks
 
-LEFT_OUT = ("missing",)  # its reasons stand at the figures that lack values
+# Its reasons stand at the figures that lack values; provenance_rows.py has what the other one points at.
+LEFT_OUT = ("missing", "provenance_row")
 
 
 def pack_columns(table: pd.DataFrame, file: ResultFile, better: dict[str, str], blocks: Blocks) -> list[dict]:
