@@ -6,6 +6,9 @@ import type { Report } from "../../report";
 // What `trocar run --only` chooses cases by. A label is one strategy's with its options, and belongs to no other of the sweep.
 const KEYS = ["label", "organ", "tool", "scene", "speed", "rate", "release", "edge_stiffness", "rest_stiffness", "seed"];
 
+/** What stands for a sweep file that is not known. */
+export const UNKNOWN = "SWEEP.toml";
+
 /** The arguments of the program. Conditions that all cases of the whole sweep share are left out. */
 export function rerunArguments(report: Report, cases: Cases, row: number, commandLine: string): string[] {
   const isWhole = report.planned === cases.count;
@@ -16,7 +19,7 @@ export function rerunArguments(report: Report, cases: Cases, row: number, comman
   return [
     "trocar",
     "run",
-    sweepFile(given),
+    sweepFile(given) ?? UNKNOWN,
     ...wanted.flatMap((key) => ["--only", `${key}=${valueOf(cases, key, row)}`]),
     ...(metrics >= 0 ? ["--metrics", given[metrics + 1]!] : []),
     "-o",
@@ -29,10 +32,10 @@ export function shellText(words: string[]): string {
   return words.map((word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`)).join(" ");
 }
 
-/** The sweep file that the recorded command line names. */
-export function sweepFile(words: string[]): string {
+/** The sweep file that the recorded command line names; undefined where the cases are of no one file, as those of `reproduce`. */
+export function sweepFile(words: string[]): string | undefined {
   const run = words.indexOf("run");
-  return words.slice(run + 1).find((word) => word.endsWith(".toml")) ?? "sweep.toml";
+  return run < 0 ? undefined : words.slice(run + 1).find((word) => word.endsWith(".toml"));
 }
 
 /** The words of a recorded command line. */

@@ -39,7 +39,8 @@ export function multiples(shown: Shown): ChartParts {
   const out = leftOut(together(all.panels.flatMap(({ groups }) => groups)));
   return {
     name: `${state.figure}-by-${split.join("-") || "strategy"}`,
-    title: `${state.figure}${state.x ? ` by ${state.x}` : ""}: ${column.longName || "figure"}`,
+    title: `${state.figure}${state.x ? ` by ${state.x}` : ""}`,
+    words: column.longName,
     unit: shown.unit,
     better: column.better,
     note: `${how}${over ? ` Over ${over}.` : ""}${log} A click on a point lists its cases.`,
