@@ -9,7 +9,7 @@ import { h } from "../dom";
 import { counted } from "../numbers";
 import type { Page, View } from "../view";
 import { caseList } from "./case/case_list";
-import { rerunArguments, shellText, sweepFile, UNKNOWN, words } from "./case/command";
+import { rerunArguments, shellText, sweepFile, UNKNOWN } from "./case/command";
 import { seriesPanel, type SeriesPanel } from "./case/series_panel";
 import { siblingsOf } from "./case/siblings";
 
@@ -144,7 +144,7 @@ function command(page: Page, row: number): HTMLElement {
     }
   };
   const code = h("code", { class: "command", tabindex: 0 }, text);
-  const file = sweepFile(words(line));
+  const file = sweepFile(line);
   const save = () => saveFile((file ?? UNKNOWN).split("/").at(-1)!, "text/plain", report.sweepToml);
   const where = file
     ? `From the folder in which the sweep was run, where ${file} is. Another program, or a changed sweep file, may run another case: its case_id says so.`
