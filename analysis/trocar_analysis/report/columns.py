@@ -72,7 +72,7 @@ def reasons_of(table: pd.DataFrame, figure: str) -> pd.Series:
     lacking = table[table[figure].isna()]
     name = CASES.name_of(figure)
     told = [
-        lacking.get(column, pd.Series(default, index=lacking.index))
+        lacking[column] if column in lacking else [default] * len(lacking)
         for column, default in (("missing", ""), ("metrics", ""), ("window_steps", None), ("status", COMPLETE))
     ]
     known: dict[tuple, str] = {}
