@@ -17,7 +17,7 @@ export function facts(recording: Recording, frame: number, moment: Moment): stri
     moment === "found"
       ? [[value("collided_vertices"), plural(value("collided_vertices"), "vertex", "vertices") + " in the tool"]]
       : [
-          [value(`depth_max_${suffix}`), `deepest ${value(`depth_max_${suffix}`).toFixed(2)} mm`],
+          [value(`depth_max_${suffix}`), `deepest vertex ${value(`depth_max_${suffix}`).toFixed(2)} mm`],
           [value(`facets_crossing_${suffix}`), plural(value(`facets_crossing_${suffix}`), "facet", "facets") + " crossing"],
         ];
   const words = said.filter(([number]) => Number.isFinite(number)).map(([, text]) => text);

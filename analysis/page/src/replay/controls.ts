@@ -41,11 +41,11 @@ export function makeControls(last: number, wishes: Wishes): Controls {
   );
   return {
     transport: h("div", { class: "replay-transport" },
-      button("⏮", "first step", () => wishes.scrub(0)),
+      button("«", "first step", () => wishes.scrub(0)),
       button("‹", "step back", () => wishes.go(-1)),
       play,
       button("›", "step on", () => wishes.go(1)),
-      button("⏭", "last step", () => wishes.scrub(last)),
+      button("»", "last step", () => wishes.scrub(last)),
       range, words, moments.element, through.element, speed.element,
     ),
     options: h("div", { class: "replay-options" },

@@ -5,10 +5,11 @@ import { MOMENTS, type Moment } from "./replay_data";
 
 export type Field = "none" | "displacement" | "strain" | "depth";
 
-export const FIELDS: Record<Field, { name: string; unit: string; percent?: boolean }> = {
+/** `most`: where the colour bar ends at the latest; it has to tell ordinary values apart, whatever a torn facet does. */
+export const FIELDS: Record<Field, { name: string; unit: string; percent?: boolean; most?: number }> = {
   none: { name: "nothing", unit: "" },
   displacement: { name: "displacement from rest", unit: "mm" },
-  strain: { name: "strain, the largest of the vertex's edges", unit: "%", percent: true },
+  strain: { name: "strain, the largest of the vertex's edges", unit: "%", percent: true, most: 1 },
   depth: { name: "depth inside the tool", unit: "mm" },
 };
 
@@ -52,8 +53,8 @@ export function distance(a: Float32Array, i: number, b: Float32Array, j: number)
   return Math.sqrt(x * x + y * y + z * z);
 }
 
-/** The largest value in any frame and moment of the recordings: the end of the colour bar, the same for all views and steps. */
-export function largestValue(recordings: Recording[], field: Field): number {
+/** The end of the colour bar: the largest value in any frame and moment of the recordings, or what is most. */
+export function endOfBar(recordings: Recording[], field: Field): number {
   let largest = 0;
   for (const recording of recordings) {
     const positions = new Float32Array(recording.rest.length);
@@ -66,5 +67,5 @@ export function largestValue(recordings: Recording[], field: Field): number {
       }
     }
   }
-  return largest;
+  return Math.min(largest, FIELDS[field].most ?? Infinity);
 }

@@ -24,9 +24,10 @@ function key(name: string, words: string): HTMLElement {
 
 /** The same range in all views and at all steps. */
 function colorBar(field: Exclude<Shown["color"], "none">, top: number): HTMLElement {
-  const { name, unit, percent } = FIELDS[field];
+  const { name, unit, percent, most } = FIELDS[field];
   const stops = Array.from({ length: 17 }, (_, k) => cssColor(k / 16)).join();
   const ticks = [0, 0.5, 1].map((share) => number(share * top * (percent ? 100 : 1)));
+  if (top === most) ticks[2] = `${ticks[2]!} and more`;
   return h("span", { class: "replay-bar", role: "img", "aria-label": `${name}: from ${ticks[0]!} to ${ticks[2]!} ${unit}` },
     h("span", { class: "replay-bar-name" }, `${name}, ${unit}`),
     h("span", { class: "replay-bar-colors", style: `background:linear-gradient(90deg,${stops})` }),

@@ -5,7 +5,7 @@ import { writeAddress, type Shown } from "./address";
 import { MOMENT_WORDS } from "./captions";
 import { onThemeChange } from "./colors";
 import { makeControls, type Wishes } from "./controls";
-import { largestValue, type Field } from "./fields";
+import { endOfBar, type Field } from "./fields";
 import { makeFigure } from "./figure";
 import { keysHelp, onKeys } from "./keys";
 import { orbitFrom, orbitNumbers, startOrbit } from "./orbit";
@@ -88,7 +88,7 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
   const tops = new Map<Field, number>();
   function update(): void {
     shown.step = timeline.steps[at]!;
-    if (!tops.has(shown.color)) tops.set(shown.color, largestValue(shown.color === "none" ? [] : recordings, shown.color));
+    if (!tops.has(shown.color)) tops.set(shown.color, endOfBar(shown.color === "none" ? [] : recordings, shown.color));
     const top = tops.get(shown.color)!;
     const when = `step ${shown.step}, ${timeline.seconds[at]!.toFixed(3)} s`;
     figure.update(shown.step, shown, top, `${replay.conditions} · ${when} · ${MOMENT_WORDS[shown.moment]}`);
@@ -134,6 +134,7 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
     stage.dispose();
   });
   body.replaceChildren(figure.element, controls.transport, controls.options, keysHelp(), pinned);
+  stage.repaint();
   figure.arrange();
   sizes.observe(figure.ground);
   if (autoplay && shown.through) shown.moment = MOMENTS[0]!;

@@ -17,7 +17,7 @@ export interface Stage {
   orbit: Orbit;
   /** Shows a step, in the colours up to `top`. */
   show(step: number, shown: Shown, top: number): void;
-  repaint(): void; // after a change of the theme
+  repaint(): void; // once the ground is in the page, and after a change of the theme
   /** Draws; the views' places are read from their elements. @param scale pixels of the picture for each of the page */
   draw(scale: number): void;
   turn(right: number, down: number): void; // pixels
@@ -92,7 +92,6 @@ export function makeStage(recordings: Recording[], places: HTMLElement[], ground
       canvas.remove();
     },
   };
-  stage.repaint();
   return stage;
 }
 
@@ -111,10 +110,10 @@ function viewOf(recording: Recording, plane: Plane) {
   const organ = organView(recording);
   const tool = toolView(recording);
   const marks = marksView(recording, 0.016 * sight.halfHeight);
-  const section = recording.organ.closed ? sectionView(organ.geometry, tool.geometry, tool.group, plane, sight) : null;
+  const section = sectionView(recording, organ, tool, plane);
   const lamp = new DirectionalLight(0xffffff, 2.1);
-  const scene = new Scene().add(organ.group, tool.group, marks.group, lamp, lamp.target, new HemisphereLight(0xffffff, 0x8d8894, 1.5));
-  if (section) scene.add(section.group);
+  const scene = new Scene().add(organ.group, tool.group, section.group, marks.group);
+  scene.add(lamp, lamp.target, new HemisphereLight(0xffffff, 0x8d8894, 1.5));
   return {
     recording,
     scene,
@@ -125,21 +124,21 @@ function viewOf(recording: Recording, plane: Plane) {
       tool.pose(frame);
       tool.group.visible = !shown.hidden.includes("tool");
       marks.pose(frame, shown, organ.positions);
-      if (section) section.group.visible = shown.cut && shown.surface !== "wire";
+      section.group.visible = shown.cut;
+      if (shown.cut) section.pose(shown.surface !== "wire");
     },
     clip: (planes: Plane[]) => {
-      organ.clip(planes);
-      marks.clip(planes);
+      for (const part of [organ, tool, marks]) part.clip(planes);
     },
     paint: (colors: ReturnType<typeof readColors>) => {
-      for (const part of [organ, tool, marks, section]) part?.paint(colors);
+      for (const part of [organ, tool, marks, section]) part.paint(colors);
     },
     /** The lamp goes with the camera: from the right and above. */
     light: (camera: PerspectiveCamera) => {
       lamp.position.set(0.45, 0.8, 0.6).transformDirection(camera.matrixWorld);
     },
     dispose: () => {
-      for (const part of [organ, tool, marks, section]) part?.dispose();
+      for (const part of [organ, tool, marks, section]) part.dispose();
     },
   };
 }

@@ -1,6 +1,6 @@
 // The tool of one view: glass of the colour of steel, and an outline that shows faintly where the organ hides it.
 
-import { BackSide, BufferAttribute, BufferGeometry, FrontSide, Group, Matrix4, Mesh, MeshStandardMaterial, Vector3 } from "three";
+import { BackSide, BufferAttribute, BufferGeometry, FrontSide, Group, Matrix4, Mesh, MeshStandardMaterial, type Plane, Vector3 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -12,8 +12,10 @@ const SHARP = Math.cos((10 * Math.PI) / 180); // an edge at which the surface be
 export interface ToolView {
   group: Group;
   geometry: BufferGeometry;
+  positions(): Float32Array; // in the world
   pose(frame: number): void;
   paint(colors: Colors): void;
+  clip(planes: Plane[]): void;
   dispose(): void;
 }
 
@@ -39,6 +41,7 @@ export function toolView(recording: Recording): ToolView {
   return {
     group,
     geometry,
+    positions: () => (indexed.getAttribute("position").clone().applyMatrix4(group.matrix) as BufferAttribute).array as Float32Array,
     pose: (frame) => {
       group.matrix.copy(poseAt(recording, frame));
       group.matrixWorldNeedsUpdate = true;
@@ -46,6 +49,9 @@ export function toolView(recording: Recording): ToolView {
     paint: (colors) => {
       for (const material of [back, front]) material.color.copy(colors.tool);
       for (const material of [line, faint]) material.color.copy(colors.outline);
+    },
+    clip: (planes) => {
+      for (const material of [back, front, line, faint]) material.clippingPlanes = planes;
     },
     dispose: () => {
       for (const one of [indexed, geometry, outline, back, front, line, faint]) one.dispose();
