@@ -1,4 +1,4 @@
-"""Access to a result file. The only place that knows how the file is laid out (results/README.md)."""
+"""Access to a result file. With case_series.py the only place that knows how the file is laid out (results/README.md)."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ import h5py
 import numpy as np
 import pandas as pd
 
+from .case_series import CaseSeries, read_case_series
 from .errors import InputError, unknown
 from .recording import Recording, Step
 
@@ -117,6 +118,11 @@ class ResultFile:
         count = self._file.attrs.get("sweep_cases")
         return None if count is None else int(count)
 
+    def origin(self) -> dict[str, str]:
+        """Of the file: `created_utc`, `generator` and `sweep_toml`; "" for what it does not say."""
+        with self._reading():
+            return {name: text(self._file.attrs.get(name, "")) for name in ("created_utc", "generator", "sweep_toml")}
+
     def units(self) -> dict[str, str]:
         """The unit of each column of /cases and /states; "" for text and plain numbers."""
         with self._reading():
@@ -150,8 +156,25 @@ class ResultFile:
         with self._reading():
             return self._file[f"series/{case_id}/{name}"][...].astype(float)
 
+    def case_series(self, case_id: str) -> CaseSeries:
+        """All series of a case at once, in the order of their names; empty where the file has none of it."""
+        with self._reading():
+            return read_case_series(self._file["series"], case_id)
+
+    def series_words(self, case_id: str, name: str) -> tuple[str, str]:
+        """The unit of a series, "" for plain numbers, and what it is, in words."""
+        with self._reading():
+            said = self._file[f"series/{case_id}/{name}"].attrs
+            unit, words = text(said.get("units", "")), text(said.get("long_name", ""))
+        return "" if unit == "1" else unit, words
+
     def has_replay(self, case_id: str) -> bool:
         return f"replay/{case_id}" in self._file
+
+    def recorded_cases(self) -> set[str]:
+        """The ids of the cases that have a replay."""
+        with self._reading():
+            return set(self._file.get("replay", ()))
 
     def tool_poses(self, case_id: str) -> np.ndarray:
         """Tool frame to world at the end of each step, [steps, 4, 4], mm."""

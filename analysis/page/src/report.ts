@@ -14,8 +14,11 @@ export interface Column {
   longName: string; // what it is, in words
   role: "input" | "outcome" | "figure";
   better: Better; // which way is better, of figures that are judged
+  part?: "condition" | "option"; // of the inputs: equal in cases that differ in their strategy alone; of the strategy
+  caution?: string; // why the values of different cases may not be compared
   levels?: string[];
   values: Block; // one a case; NaN where there is none
+  why?: { levels: string[]; values: Block }; // why a case has no value, "" where it has one; absent when all have one
 }
 
 export interface Report {
