@@ -57,7 +57,8 @@ def notes(packed: int, cases: int, without: int, full: bool) -> list[str]:
     if without and not packed:
         said.append("The result file has no series of its cases.")
     elif without:
-        said.append(f"{without} cases have no series in the result file.")
+        cases_have = "cases have" if without > 1 else "case has"
+        said.append(f"{without} {cases_have} no series in the result file.")
     return said
 
 

@@ -20,7 +20,7 @@ const LETTER = 6.6; // px
 /** A line with its mark, as the charts draw it. */
 export function swatch({ colour, dash, symbol }: SeriesStyle): SVGSVGElement {
   const shared = { x: [0], y: [0], symbol, stroke: colour, fill: colour, r: 3.5 };
-  return Plot.plot({
+  const drawn = Plot.plot({
     width: SWATCH,
     height: 12,
     margin: 0,
@@ -33,6 +33,8 @@ export function swatch({ colour, dash, symbol }: SeriesStyle): SVGSVGElement {
       Plot.dot([0], shared),
     ],
   }) as SVGSVGElement;
+  drawn.querySelector("style")?.remove(); // else it would be part of the name of a button
+  return drawn;
 }
 
 export function legend(entries: LegendEntry[]): HTMLElement {

@@ -39,7 +39,8 @@ export function multiples(shown: Shown): ChartParts {
   const out = leftOut(together(all.panels.flatMap(({ groups }) => groups)));
   return {
     name: `${state.figure}-by-${split.join("-") || "strategy"}`,
-    title: `${state.figure}${state.x ? ` by ${state.x}` : ""}: ${column.longName || "figure"}`,
+    title: `${state.figure}${state.x ? ` by ${state.x}` : ""}`,
+    words: column.longName,
     unit: shown.unit,
     better: column.better,
     note: `${how}${over ? ` Over ${over}.` : ""}${log} A click on a point lists its cases.`,
@@ -192,8 +193,10 @@ export function jitter(row: number): number {
 
 function casesOf(shown: Shown, group: PanelGroup): { row: number; value: number }[] {
   const { cases } = shown.page;
+  const status = cases.codes("status");
+  const complete = status.levels.indexOf("complete");
   return group.rows
-    .filter((row) => cases.text("status", row) === "complete")
+    .filter((row) => status.codes[row] === complete)
     .map((row) => ({ row, value: cases.number(shown.state.figure, row) }))
     .filter(({ value }) => Number.isFinite(value));
 }

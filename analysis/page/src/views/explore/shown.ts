@@ -19,15 +19,16 @@ export interface Shown {
 export function shownOf(page: Page, state: ExploreState, rows: number[], choose: Shown["choose"]): Shown {
   const { cases, report } = page;
   const column = cases.columns.get(state.figure)!;
-  const present = new Set<string>();
+  const { levels, codes } = cases.codes("label");
+  const present = levels.map(() => false);
   let largest = 0;
   for (const row of rows) {
-    present.add(cases.text("label", row));
+    present[codes[row]!] = true;
     const value = Math.abs(cases.number(state.figure, row));
     if (value > largest && Number.isFinite(value)) largest = value;
   }
   const { unit, factor } = readableUnit(column.unit, largest);
-  return { page, state, rows, column, labels: report.labels.filter((label) => present.has(label)), unit, factor, choose };
+  return { page, state, rows, column, labels: report.labels.filter((label) => present[levels.indexOf(label)]), unit, factor, choose };
 }
 
 /** A value in full, with its unit. */
@@ -45,7 +46,9 @@ export function conditionWords(page: Page, column: string, value: string): strin
 /** What cases are pooled over that no chart tells apart: "2 values of release, 5 of seed". */
 export function pooled(shown: Shown, apart: string[]): string {
   const { cases } = shown.page;
-  const names = [...cases.columns.values()].filter(({ part, name }) => part === "condition" && !apart.includes(name)).map(({ name }) => name);
+  const names = [...cases.columns.values()]
+    .filter(({ part, name }) => part === "condition" && !apart.includes(name) && cases.codes(name).levels.length > 1)
+    .map(({ name }) => name);
   const several = names
     .map((name) => {
       const { codes } = cases.codes(name);
