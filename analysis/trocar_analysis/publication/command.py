@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import argparse
 
+from ..directions import directions_of
+
 
 def add(commands: argparse._SubParsersAction) -> None:
     command = commands.add_parser("figures", help="diagrams, LaTeX tables and captions for a paper, into a folder")
@@ -18,16 +20,13 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="a column, a metric (all its columns) or a quotient of two columns, A/B; may be given several times; "
         "default: the main ones that the file has",
     )  # fmt: skip
-    command.add_argument(
-        "--better", action="append", default=[], metavar="METRIC=low|high,…", help="which way is better"
-    )
+    command.add_argument("--better", default="", metavar="METRIC=low|high,…", help="which way is better")
     command.set_defaults(function=run)
 
 
 def run(arguments: argparse.Namespace) -> None:
     from .publish import Wishes, publish
 
-    words = ",".join(arguments.better).split(",")
-    better = dict(word.split("=", 1) for word in words if "=" in word)
-    for line in publish(arguments.file, arguments.output, Wishes(arguments.metric, arguments.only, better)):
+    a = arguments
+    for line in publish(a.file, a.output, Wishes(a.metric, a.only, directions_of(a.better))):
         print(line)

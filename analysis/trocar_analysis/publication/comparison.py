@@ -15,10 +15,10 @@ from ..effects import holm
 from ..equal_conditions import EqualConditions, equal_conditions
 from ..errors import InputError
 from ..paired import median, paired_differences, signed_rank
-from ..rank import FEWEST_BLOCKS, Ranking, Wishes, read_ranking
+from ..rank import FEWEST_BLOCKS, Ranking, Wishes, ranking_of
 from ..ranks import order_of
 from ..sensitivity import points_of
-from .main_figures import words_of
+from .chosen import words_of
 
 FEWEST_STRATEGIES = 2
 CHANGE = ["difference", "difference_low", "difference_high", "p"]
@@ -55,7 +55,7 @@ def compare_strategies(cases: Cases, figure: Figure, only: list[str], better: di
     ranking, no_ranking = None, "one strategy, so none is better"
     if equal:
         try:
-            ranking, no_ranking = read_ranking(cases.path, Wishes(figure.name, only, better)), ""
+            ranking, no_ranking = ranking_of(cases, Wishes(figure.name, only, better)), ""
         except InputError as error:
             no_ranking = without_path(error, cases)
     elif notes:

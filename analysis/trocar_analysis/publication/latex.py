@@ -6,7 +6,7 @@ import re
 import unicodedata
 
 SPECIAL = {
-    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_\allowbreak{}", "/": r"/\allowbreak{}",
     "~": r"\textasciitilde{}", "^": r"\textasciicircum{}", "<": "$<$", ">": "$>$", "|": "$|$", '"': "''",
     "–": "--", "—": "---", "…": r"\dots{}", "∞": r"$\infty$", "×": r"$\times$", "≈": r"$\approx$", "α": r"$\alpha$",
     "−": "$-$", "·": r"$\cdot$", "µ": r"$\mu$", "μ": r"$\mu$", "²": r"$^2$", "³": r"$^3$", "°": r"$^\circ$",

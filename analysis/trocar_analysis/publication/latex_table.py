@@ -42,7 +42,7 @@ def table_text(compared: Compared, cases: Cases, conditions: list[str], caption:
     floats = []
     for number, page in enumerate(pages):
         bodies = "\n\\par\\medskip\n".join(tabular(part, names) for part in page)
-        head = f"\\caption{{{caption}}}\n\\label{{tab:{label}}}" if number == 0 else "Continued from the table before."
+        head = f"\\caption{{{caption}}}\n\\label{{tab:{label}}}\n\\smallskip" if number == 0 else "Continued from the table before."
         below = f"\n\\par\\medskip\n\\parbox{{\\linewidth}}{{\\scriptsize {notes}}}" if page is pages[-1] and notes else ""
         floats.append(
             f"\\begin{{table}}[htbp]\n\\centering\\footnotesize\\setlength{{\\tabcolsep}}{{4pt}}\n{head}\n"
@@ -132,7 +132,7 @@ def p_cell(p: float) -> str:
 
 def letters(text: str) -> int:
     """About as wide as so many, when it is set."""
-    for command in ("\\textbf{", "$", "\\infty", "}"):
+    for command in ("\\textbf{", "$", "\\infty", "\\allowbreak{", "}"):
         text = text.replace(command, "")
     return len(text.replace("--", "-"))
 

@@ -10,14 +10,14 @@ from ..case_figures import Cases, Figure, read_cases
 from ..critical_difference import compose as compose_ranks
 from ..errors import InputError
 from ..front import Wishes as FrontWishes
-from ..front import read_front
+from ..front import front_of
 from ..rank import BETTER
 from .captions import caption_front, caption_over, caption_ranks, caption_table, notes_of_table
 from .comparison import Compared, compare_strategies, without_path
 from .files import file_name, make_folder, save_picture, save_text
 from .latex import latex
 from .latex_table import table_text, unit_of
-from .main_figures import AGAINST, conditions_that_vary, main_figures
+from .chosen import AGAINST, conditions_that_vary, figures_of
 from .panels import compose, panels_over
 
 FOLDER = "\\TrocarFolder"  # in LaTeX: where the files are, from where LaTeX runs
@@ -66,7 +66,7 @@ def publish(path: str, output: str, asked: Wishes) -> list[str]:
     """Draws and tabulates the figures of a result file into a folder. What it returns says what was written and what could
     not be drawn, and why. InputError where there is nothing to show."""
     cases = read_cases(path, asked.only)
-    figures = main_figures(cases, asked.metrics, asked.better)
+    figures = figures_of(cases, asked.metrics, asked.better)
     pages = Pages(make_folder(output))
     said: list[str] = []
     for figure in figures:
@@ -119,7 +119,7 @@ def add_fronts(pages: Pages, figures: list[Figure], cases: Cases, asked: Wishes)
             continue
         wishes = FrontWishes(judged[0].name, other.name, asked.only, asked.better)
         try:
-            front = read_front(cases.path, wishes)
+            front = front_of(cases, wishes)
         except InputError as error:
             said.append(f"no front of {judged[0].name} and {other.name}: {without_path(error, cases)}")
             continue

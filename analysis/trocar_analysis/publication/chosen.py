@@ -1,4 +1,4 @@
-"""Which figures a paper is likely to show of a result file, and over which conditions."""
+"""Which figures the folder has, and over which conditions."""
 
 from __future__ import annotations
 
@@ -6,27 +6,17 @@ from dataclasses import replace
 
 import pandas as pd
 
-from ..case_figures import USUAL, Cases, Figure
+from ..case_figures import Cases, Figure
 from ..errors import InputError
+from ..report.main_figures import TIME, main_figures
 from ..sensitivity import SWEPT, Wishes, along_with, choose
 from ..subject import tally
 
-# Those that are shown when none are asked for, as far as the file has them, and their titles. The first is what the
-# others are set against in fronts.
-MAIN = {
-    "tool_volume_inside_d_max/tool_volume_at_rest_max": USUAL["tool_volume_inside_d_max/tool_volume_at_rest_max"],
-    "depth_max_d_max": "How deep a vertex stays inside the tool",
-    "facets_crossing_d_mean": USUAL["facets_crossing_d_mean"],
-    "displacement_mean_mean": USUAL["displacement_mean_mean"],
-    "displacement_crossings_mean": "Displacements that cross a neighbour's",
-    "strain_mean": "Strain of the organ's edges",
-    "time_handle_p50": "Time of handling",
-}
-AGAINST = ("strain_mean", "time_handle_p50")  # the others of their fronts
+AGAINST = ("strain_max", TIME.name)  # what the first figure's fronts are against, where none are asked for
 
 
-def main_figures(cases: Cases, metrics: list[str] | None, better: dict[str, str]) -> list[Figure]:
-    """Those that are asked for, else those of MAIN. InputError where no case has a value of any."""
+def figures_of(cases: Cases, metrics: list[str] | None, better: dict[str, str]) -> list[Figure]:
+    """Those that are asked for, else the report's. InputError where no case has a value of any."""
     table, path = cases.table, cases.path
     complete = table[table["status"] == "complete"]
     if complete.empty:
@@ -35,15 +25,15 @@ def main_figures(cases: Cases, metrics: list[str] | None, better: dict[str, str]
             f"{path}: none of its {len(table)} cases completed ({how}): there are no figures to draw; see trocar show "
             "--failures"
         )
-    names = metrics or [name for name in MAIN if all(part in complete and complete[part].notna().any()
-                                                     for part in name.split("/"))]  # fmt: skip
+    main = {one.name: one.title for one in main_figures(complete)}
+    names = metrics or [*main]
     if not names:
-        raise InputError(f"{path}: has none of the main figures ({', '.join(MAIN)}); name one with --metric")
+        raise InputError(f"{path}: has none of the main figures; name one with --metric")
     chosen = choose(path, table, Wishes("", names, better=better), cases.units)
     if not any(has_value(figure, complete) for figure in chosen):
         why = "; ".join(figure.lacking for figure in chosen)
         raise InputError(f"{path}: no complete case has a value of what is asked for: {why}")
-    return [replace(figure, title=MAIN.get(figure.name, figure.title)) for figure in chosen]
+    return [replace(figure, title=main.get(figure.name, figure.title)) for figure in chosen]
 
 
 def has_value(figure: Figure, complete: pd.DataFrame) -> bool:
