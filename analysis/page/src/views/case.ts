@@ -120,7 +120,6 @@ function siblingTable(page: Page, row: number, siblings: number[]): HTMLElement 
     const status = cases.text("status", other);
     const name = other === row ? h("strong", {}, `${label} (this case)`) : h("a", { href: `#/case/${ids[k]}` }, label);
     const mark = swatch(styleOfLabel(report.labels, label));
-    mark.setAttribute("aria-hidden", "true");
     const notes = [status === "complete" ? "" : status, report.series.cases[ids[k]!] ? "" : "series not in this report"].filter(Boolean).join(", ");
     return h("li", {}, mark, name, ...(notes ? [h("span", { class: "chart-note" }, ` ${notes}`)] : []));
   });
