@@ -222,5 +222,6 @@ def notes(
                 f"{lost[0]} on: positions of the organ are not finite there"
             )
     for one in sets[len(kept) :]:
-        said.append(f"replay of {one.conditions}: the {len(one.cases)} cases are left out, {budget}")
+        cases = "1 case is" if len(one.cases) == 1 else f"{len(one.cases)} cases are"
+        said.append(f"replay of {one.conditions}: its {cases} left out, {budget}")
     return said
