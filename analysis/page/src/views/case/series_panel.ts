@@ -57,8 +57,7 @@ export async function seriesPanel(page: Page, caseIds: string[]): Promise<Series
   const point = () => {
     const step = Number(slider.value);
     readout.textContent = `step ${step}, ${short(time[step] ?? NaN)} s`;
-    const plot = plots[0];
-    if (plot) plot.setCursor({ left: plot.valToPos(time[step]!, "x"), top: 10 });
+    for (const plot of plots) plot.setCursor({ left: plot.valToPos(time[step]!, "x"), top: 10 });
   };
   slider.addEventListener("input", point);
   const resized = new ResizeObserver(() => {
