@@ -142,7 +142,8 @@ function command(page: Page, row: number): HTMLElement {
       said.textContent = "selected: copy it with Ctrl+C";
     }
   };
-  const code = h("code", { class: "command", tabindex: 0 }, text);
+  const breaks = text.split(/ (?=-)/); // a line ends in front of an option, not within it
+  const code = h("code", { class: "command" }, ...breaks.flatMap((word, k) => [k ? " " : "", h("span", { class: "word" }, word)]));
   const file = sweepFile(line);
   const save = () => saveFile((file ?? UNKNOWN).split("/").at(-1)!, "text/plain", report.sweepToml);
   const where = file
