@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import argparse
 
-from ..store import MOMENTS
-
 FORMATS = ("obj", "ply", "vtp")
+MOMENTS = ("found", "handled", "deformed")
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -14,9 +13,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     export.add_argument("file", help="result file of a run with --replay")
     export.add_argument("--case", required=True, metavar="ID", help="case id, or an unambiguous beginning")
     export.add_argument("-o", "--output", required=True, metavar="FOLDER", help="made where it is missing")
-    export.add_argument(
-        "--format", action="append", choices=FORMATS, help="may be given several times; default: all"
-    )  # fmt: skip
+    export.add_argument("--format", action="append", choices=FORMATS, help="may be given several times; default: all")
     export.add_argument(
         "--moment", action="append", choices=MOMENTS,
         help="before handling, after it, or after the deformation; may be given several times; default: deformed",
