@@ -91,10 +91,10 @@ endef
 
 .NOTPARALLEL:
 .PHONY: help packages lint_packages docs_packages configure build page paper pictures figures paper_figures claims sleep choice readings sensitivity everything test sanitize \
-    mutate lint docs bench reference_bench clean
+    test-full full_packages mutate lint docs bench reference_bench clean
 
 help:  ## list the targets
-	@sed -n 's/^\([a-z_]*\):.*  ## /\1\t/p' Makefile | expand -t 16
+	@sed -n 's/^\([a-z_-]*\):.*  ## /\1\t/p' Makefile | expand -t 16
 	@echo "PRESET=debug (or asan, tsan) chooses another build than release; JOBS=1 uses one core."
 
 build: configure page  ## build the program, build/trocar
@@ -112,7 +112,7 @@ $(page)/node_modules/.package-lock.json: $(page)/package.json $(page)/package-lo
 	cd $(page) && npm ci
 	touch $@
 
-paper: build  ## run the paper's comparison: its table, its picture, its result file in build/paper/, and its claims judged
+paper: build  ## run the paper's comparison: its table, its picture, its claims judged, and build/paper/report.html to look at it all
 	mkdir -p build/paper
 	build/trocar run experiments/paper.toml -o build/paper/paper.h5
 	build/trocar show build/paper/paper.h5 --only release=contact --by scene,speed,label
@@ -120,6 +120,10 @@ paper: build  ## run the paper's comparison: its table, its picture, its result 
 	    release=contact) --replay -o build/paper/rapid.h5
 	build/trocar snapshot build/paper/rapid.h5 -o build/paper/paper.png
 	build/trocar reproduce --quick -o build/paper/claims.h5
+	build/trocar merge build/paper/paper.h5 build/paper/rapid.h5 -o build/paper/report.h5
+	cp build/paper/claims.turns.csv build/paper/report.turns.csv
+	build/trocar report build/paper/report.h5 -o build/paper/report.html
+	@echo "See it: open build/paper/report.html in a browser."
 
 pictures: build  ## make the pictures on the metrics' pages anew
 	build/trocar snapshot --metric all -o experiments/metrics/pages/pictures
@@ -194,6 +198,16 @@ everything: build  ## run every organ, tool, scene, strategy and release: nothin
 test: build  ## build and run the tests
 	ctest --preset $(PRESET) --parallel $(JOBS) --no-tests=error
 
+# Of the scripts for browsers, two are what the others share, and one measures.
+page_tests = $(filter-out $(addprefix tests/page/,browser.mjs sample.mjs frame_time.mjs),$(wildcard tests/page/*.mjs))
+test_export = xvfb-run -a $(PYTHON) -B tests/export/$(1)_test.py build/trocar build/export
+
+test-full: full_packages test  ## the tests, and what they leave out: the page of reports in a browser, exports in VTK and ParaView
+	cd $(page) && npm test
+	set -e; for script in $(page_tests); do echo "$$script"; node "$$script"; done
+	$(call test_export,vtk)
+	$(call test_export,paraview)
+
 races:  ## run eight threads at once through the fuzzy inference under ThreadSanitizer
 	$(MAKE) configure PRESET=tsan TROCAR_LINK_PROGRAM=OFF
 	cmake --build --preset tsan --target test_strategies --parallel $(JOBS)
@@ -240,6 +254,9 @@ clean:  ## remove build/
 
 packages:
 	@sh cmake/install_packages.sh packages.txt
+
+full_packages:
+	@sh cmake/install_packages.sh packages.txt packages-full.txt
 
 docs_packages:
 	@sh cmake/install_packages.sh packages-docs.txt

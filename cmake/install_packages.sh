@@ -1,5 +1,6 @@
 #!/bin/sh
-# install_packages.sh LIST...: installs those Debian packages of the lists (one a line) that this machine lacks.
+# install_packages.sh LIST...: installs those Debian packages of the lists (one a line) that this machine lacks. Of a line
+# a|b either will do; where both are missing it is a.
 # When nothing is missing it asks no network. Exits 2, naming the packages and the command, when it cannot install.
 set -eu
 
@@ -11,10 +12,16 @@ if ! command -v dpkg-query >/dev/null; then
     exit 2
 fi
 
+is_installed() {
+    [ "$(dpkg-query --show --showformat '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
+}
+
 missing=
-for package in $wanted; do
-    status=$(dpkg-query --show --showformat '${db:Status-Status}' "$package" 2>/dev/null) || status=unknown
-    [ "$status" = installed ] || missing="$missing $package"
+for line in $wanted; do
+    for package in $(echo "$line" | tr '|' ' '); do
+        if is_installed "$package"; then continue 2; fi
+    done
+    missing="$missing ${line%%|*}"
 done
 [ -n "$missing" ] || exit 0
 

@@ -70,12 +70,12 @@ std::string topology(const ReplayShape& replay, const char* dataset, hsize_t fac
         facets, replay.location, dataset);
 }
 
-/// Step `step` of a dataset [steps, points, 3].
+/// Step `step` of a dataset [steps, points, 3], as start : stride : count : size of the whole. That is what
+/// the readers of XDMF 3 in ParaView understand; out of an element HyperSlab, which those of XDMF 2 want,
+/// they get no points.
 std::string points_of_step(const ReplayShape& replay, const char* dataset, hsize_t step, hsize_t points) {
-    return fmt::format(R"(<DataItem ItemType="HyperSlab" Dimensions="{3} 3">)"
-                       R"(<DataItem Dimensions="3 3" Format="XML">{2} 0 0 1 1 1 1 {3} 3</DataItem>)"
-                       R"(<DataItem Dimensions="{4} {3} 3" NumberType="Float" Precision="4" Format="HDF">)"
-                       "{0}/{1}</DataItem></DataItem>",
+    return fmt::format(R"(<DataItem Dimensions="{3} 3" NumberType="Float" Precision="4" Format="HDF">)"
+                       "{0}/{1}|{2} 0 0:1 1 1:1 {3} 3:{4} {3} 3</DataItem>",
                        replay.location, dataset, step, points, replay.steps);
 }
 
@@ -123,7 +123,8 @@ Figures read_time(hid_t file, const std::string& case_id, hsize_t steps) {
     return std::move(*values);
 }
 
-void write_domain(std::ostream& out, hid_t file, const std::string& file_name) {
+void write_domain(std::ostream& out, hid_t file, const std::string& file_name,
+                  const std::optional<std::string>& only_case) {
     const hdf5::Group cases_at = hdf5::open_group(file, cases_group);
     const hdf5::Group replays = hdf5::open_group(file, replay_group);
     constexpr std::array shown{"case_id", "strategy"};
@@ -132,7 +133,7 @@ void write_domain(std::ostream& out, hid_t file, const std::string& file_name) {
     const Column* strategy = cases.find("strategy");
     const Texts* strategies = strategy == nullptr ? nullptr : std::get_if<Texts>(&strategy->values);
     for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (!hdf5::exists(replays.id(), ids[i])) continue;
+        if (!hdf5::exists(replays.id(), ids[i]) || (only_case && ids[i] != *only_case)) continue;
         const ReplayShape replay =
             shape_of_replay(hdf5::open_group(replays.id(), ids[i]).id(),
                             escaped(fmt::format("{}:/{}/{}", file_name, replay_group, ids[i])));
@@ -143,7 +144,8 @@ void write_domain(std::ostream& out, hid_t file, const std::string& file_name) {
 
 }  // namespace
 
-void write_xdmf(const std::filesystem::path& campaign, const std::filesystem::path& out_xdmf) {
+void write_xdmf(const std::filesystem::path& campaign, const std::filesystem::path& out_xdmf,
+                const std::optional<std::string>& only_case) {
     PendingFile pending(out_xdmf);
     supervised({&campaign, 1}, [&] {
         const CampaignFile from = open_campaign(campaign);
@@ -152,9 +154,9 @@ void write_xdmf(const std::filesystem::path& campaign, const std::filesystem::pa
                 fmt::format("{}: holds no replay, so there is nothing to show", campaign.string()));
         }
         std::ofstream out(pending.temporary());
-        out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n";
+        out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n";
         write_domain(out, from.file.id(),
-                     std::filesystem::proximate(campaign, out_xdmf.parent_path()).string());
+                     std::filesystem::proximate(campaign, out_xdmf.parent_path()).string(), only_case);
         out << "</Domain>\n</Xdmf>\n";
         out.close();
         if (!out) throw StoreError(fmt::format("{}: cannot be written", out_xdmf.string()));

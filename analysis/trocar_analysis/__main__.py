@@ -11,7 +11,11 @@ import sys
 import traceback
 from collections.abc import Callable
 
+from .directions import directions_of
 from .errors import InputError
+from .export import command as export_command
+from .publication import command as publication_command
+from .report import command as report_command
 
 # Where the modules that Debian packages separately come from.
 DEBIAN_PACKAGES = {name: f"python3-{name}" for name in ("numpy", "h5py", "pandas", "scipy", "matplotlib")}
@@ -25,7 +29,7 @@ class Parser(argparse.ArgumentParser):
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="trocar", description="Looks at a result file.")
-    names = "show|compare|sensitivity|rank|front|claims|snapshot|figure|scene|metrics|rules"
+    names = "show|compare|sensitivity|rank|front|claims|snapshot|figure|figures|report|export|scene|metrics|rules"
     commands = parser.add_subparsers(dest="command", required=True, metavar=names)
 
     show = commands.add_parser("show", help="a table of what the file holds")
@@ -160,6 +164,10 @@ def make_parser() -> argparse.ArgumentParser:
     rules = commands.add_parser("rules", help="pictures of the rule base that `trocar fuzzy plot` has sampled")
     rules.add_argument("file", help="description of the rule base, JSON")
     rules.set_defaults(function=run_rules)
+
+    publication_command.add(commands)
+    report_command.add(commands)
+    export_command.add(commands)
     return parser
 
 
@@ -267,11 +275,6 @@ def run_claims(arguments: argparse.Namespace) -> None:
     style = "json" if a.json else "markdown" if a.markdown else "text"
     sys.stdout.write(reproduce(a.claims, a.file, a.turns, names_of(a.only), directions_of(a.better), style))
     sys.stdout.flush()
-
-
-def directions_of(better: str) -> dict[str, str]:
-    """The argument of --better: metric → "low" or "high"."""
-    return dict(word.split("=", 1) for word in better.split(",") if "=" in word)
 
 
 def names_of(by: str | None) -> list[str] | None:

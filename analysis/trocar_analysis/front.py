@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import pandas as pd
 
-from .case_figures import Figure, judged_figure, pooled_words, read_cases
+from .case_figures import Cases, Figure, judged_figure, pooled_words, read_cases
 from .equal_conditions import conditions_in, equal_conditions
 from .errors import InputError
 from .pareto import pareto_front
@@ -44,7 +44,11 @@ class Front:
 def read_front(path: str, asked: Wishes) -> Front:
     """The strategies of a result file by two figures. InputError for a figure of which neither way is better, and where
     no condition has a value of both for each strategy."""
-    cases = read_cases(path, asked.only)
+    return front_of(read_cases(path, asked.only), asked)
+
+
+def front_of(cases: Cases, asked: Wishes) -> Front:
+    """As read_front, of cases that have been read, by `asked.only`."""
     figure, against = (judged_figure(name, cases, asked.better) for name in (asked.metric, asked.against))
     if figure.name == against.name:
         raise InputError(f"--metric and --against are both {figure.name}; a front is of two figures")

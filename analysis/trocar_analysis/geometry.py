@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import numpy as np
 
+PAIRS_AT_ONCE = 100_000  # of segments and triangles
+
 
 def facet_normals(positions: np.ndarray, facets: np.ndarray) -> np.ndarray:
     """Outer unit normals, [facets, 3]; zero for a facet without area."""
@@ -80,18 +82,39 @@ def inside(points: np.ndarray, positions: np.ndarray, facets: np.ndarray) -> np.
 def pierced(starts: np.ndarray, ends: np.ndarray, corners: np.ndarray) -> np.ndarray:
     """Which segments pass through which triangles ([triangles, 3, 3]): [segments, triangles] flags (Möller
     and Trumbore, 1997)."""
-    a, ab, ac = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     hits = np.zeros((len(starts), len(corners)), bool)
-    for index, (start, way) in enumerate(zip(starts, ends - starts)):
+    a, ab, ac = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    rows = max(1, PAIRS_AT_ONCE // max(1, len(corners)))
+    for first in range(0, len(starts), rows):
+        part = slice(first, first + rows)
+        start, way = starts[part, None], (ends[part] - starts[part])[:, None]
         p = np.cross(way, ac)
-        scale = (ab * p).sum(1)
+        scale = (ab * p).sum(-1)
         scale[scale == 0] = np.nan
-        u = ((start - a) * p).sum(1) / scale
+        u = ((start - a) * p).sum(-1) / scale
         q = np.cross(start - a, ab)
-        v = q @ way / scale
-        t = (ac * q).sum(1) / scale
-        hits[index] = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0) & (t < 1)
+        v = (way * q).sum(-1) / scale
+        t = (ac * q).sum(-1) / scale
+        hits[part] = (u >= 0) & (v >= 0) & (u + v <= 1) & (t > 0) & (t < 1)
     return hits
+
+
+def distances(points: np.ndarray, corners: np.ndarray) -> np.ndarray:
+    """From each point to the nearest of the triangles ([triangles, 3, 3])."""
+    to_edge = np.full((len(points), len(corners)), np.inf)
+    beside = np.zeros(to_edge.shape, bool)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = np.divide(normals, lengths, out=np.zeros_like(normals), where=lengths > 0)
+    for end in range(3):
+        start, way = corners[:, end], corners[:, (end + 1) % 3] - corners[:, end]
+        from_start = points[:, None] - start
+        along = (from_start * way).sum(-1) / np.maximum((way * way).sum(-1), 1e-30)
+        to_edge = np.minimum(to_edge, np.linalg.norm(from_start - along.clip(0, 1)[..., None] * way, axis=-1))
+        beside |= (from_start * np.cross(normals, way)).sum(-1) < 0
+    to_plane = np.abs(((points[:, None] - corners[:, 0]) * normals).sum(-1))
+    beside |= lengths.T == 0
+    return np.where(beside, to_edge, to_plane).min(axis=1)
 
 
 def facets_in_tool(
@@ -103,12 +126,13 @@ def facets_in_tool(
     near = np.flatnonzero(((corners.max(axis=1) >= low) & (corners.min(axis=1) <= high)).all(axis=1))
     vertices, numbers = np.unique(facets[near], return_inverse=True)
     flags = inside(positions[vertices], tool_positions, tool_facets)[numbers].reshape(-1, 3).any(axis=1)
-    for end in range(3):
-        starts, ends = corners[near, end], corners[near, (end + 1) % 3]
-        flags |= pierced(starts, ends, tool_positions[tool_facets]).any(axis=1)
-    for end in range(3):
-        starts, ends = tool_positions[tool_facets[:, end]], tool_positions[tool_facets[:, (end + 1) % 3]]
-        flags |= pierced(starts, ends, corners[near]).any(axis=0)
+    ends = np.concatenate([facets[near][:, [0, 1]], facets[near][:, [1, 2]], facets[near][:, [2, 0]]])
+    edges, numbers = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
+    hits = pierced(positions[edges[:, 0]], positions[edges[:, 1]], tool_positions[tool_facets]).any(axis=1)
+    flags |= hits[numbers.reshape(3, -1)].any(axis=0)
+    ends = np.concatenate([tool_facets[:, [0, 1]], tool_facets[:, [1, 2]], tool_facets[:, [2, 0]]])
+    edges = np.unique(np.sort(ends, axis=1), axis=0)
+    flags |= pierced(tool_positions[edges[:, 0]], tool_positions[edges[:, 1]], corners[near]).any(axis=0)
     result = np.zeros(len(facets), bool)
     result[near[flags]] = True
     return result

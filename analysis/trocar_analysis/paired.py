@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from scipy.stats import norm, rankdata, t, wilcoxon
@@ -125,17 +126,25 @@ def draw_seeds(organs: np.ndarray, seeds: np.ndarray, resamples: int) -> tuple[n
     case belongs to, [cases]. A seed that is alone on its organ always counts once. No resamples where there are fewer
     than FEWEST_SEEDS others."""
     units, seed_of_case = seeds_on_organs(organs, seeds)
+    _, seeds_of_organ = np.unique(units[0], return_counts=True)
+    return weights_of(tuple(seeds_of_organ.tolist()), resamples), seed_of_case
+
+
+@lru_cache(maxsize=32)
+def weights_of(seeds_of_organ: tuple[int, ...], resamples: int) -> np.ndarray:
+    """draw_seeds' weights. They depend on nothing else, and a file has many groups of cases with as many seeds."""
     generator = np.random.default_rng(GENERATOR_SEED)
-    weights = np.ones((resamples, units.shape[1]))
-    drawn = 0
-    for organ in np.unique(units[0]):
-        own = np.flatnonzero(units[0] == organ)
-        count = len(own)
+    weights = np.ones((resamples, sum(seeds_of_organ)))
+    drawn = start = 0
+    for count in seeds_of_organ:
         if count > 1:
             times = generator.multinomial(count - 1, np.full(count, 1 / count), size=resamples)
-            weights[:, own] = times * (count / (count - 1))
+            weights[:, start : start + count] = times * (count / (count - 1))
             drawn += count
-    return (weights if drawn >= FEWEST_SEEDS else weights[:0]), seed_of_case
+        start += count
+    weights = weights if drawn >= FEWEST_SEEDS else weights[:0].copy()
+    weights.flags.writeable = False
+    return weights
 
 
 def weighted_medians(

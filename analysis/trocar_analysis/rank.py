@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import pandas as pd
 
-from .case_figures import Figure, judged_figure, plural, pooled_words, read_cases
+from .case_figures import Cases, Figure, judged_figure, plural, pooled_words, read_cases
 from .critical_difference import draw_critical_difference, p_words
 from .equal_conditions import conditions_in, equal_conditions
 from .errors import InputError
@@ -48,7 +48,11 @@ class Ranking:
 def read_ranking(path: str, asked: Wishes) -> Ranking:
     """The strategies of a result file by a figure. InputError for a figure of which neither way is better, and where
     there is too little to rank."""
-    cases = read_cases(path, asked.only)
+    return ranking_of(read_cases(path, asked.only), asked)
+
+
+def ranking_of(cases: Cases, asked: Wishes) -> Ranking:
+    """As read_ranking, of cases that have been read, by `asked.only`."""
     figure = judged_figure(asked.metric, cases, asked.better)
     equal = equal_conditions(cases, [figure], FEWEST_STRATEGIES)
     every = cases.table
@@ -56,7 +60,7 @@ def read_ranking(path: str, asked: Wishes) -> Ranking:
     ranks = rank_blocks(figure.values.to_numpy(), [*every["label"]], [*equal.condition], blocks, figure.better == "low")
     if len(ranks.blocks) < FEWEST_BLOCKS:
         raise InputError(
-            f"{path}: all strategies have a value with one seed on one organ only, and it takes {FEWEST_BLOCKS} or more "
+            f"{cases.path}: all strategies have a value with one seed on one organ only, and it takes {FEWEST_BLOCKS} or more "
             "to tell them apart; run more seeds" + "".join(f" ({note.rstrip('.')})" for note in equal.notes[:1])
         )
     table = equal.medians(figure)

@@ -16,6 +16,7 @@ from matplotlib.patches import Patch
 from matplotlib.style import context
 
 from . import palette
+from .deepest import deepest_step
 from .drawing import draw_step
 from .errors import InputError
 from .store import ResultFile, Step, find_case, only_case, siblings
@@ -65,14 +66,9 @@ def with_replay(results: ResultFile, cases: pd.DataFrame) -> pd.DataFrame:
 
 
 def choose_step(asked: str, poses: np.ndarray) -> int:
-    """The number of a step, from an integer or "deepest": where the tip is furthest in along the tool's axis,
-    and of several such steps (a slide, a hold) the last in which it moved."""
+    """The number of a step, from an integer or "deepest"."""
     if asked == "deepest":
-        tips = poses[:, :3, 3]
-        depths = -tips @ poses[0, :3, 2]
-        deepest = np.flatnonzero(depths >= depths.max() - 1e-3)
-        moved = np.linalg.norm(np.diff(tips, axis=0, prepend=tips[:1]), axis=1)[deepest] > 1e-3
-        return int(deepest[moved][-1] if moved.any() else deepest[0])
+        return deepest_step(poses)
     try:
         number = int(asked)
     except ValueError:

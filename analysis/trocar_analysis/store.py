@@ -1,11 +1,10 @@
-"""Access to a result file. The only place that knows how the file is laid out (results/README.md)."""
+"""Access to a result file. With case_series.py the only place that knows how the file is laid out (results/README.md)."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
@@ -13,7 +12,9 @@ import h5py
 import numpy as np
 import pandas as pd
 
+from .case_series import CaseSeries, read_case_series
 from .errors import InputError, unknown
+from .recording import Recording, Step
 
 SCHEMA_VERSION = 2
 
@@ -43,21 +44,6 @@ MOMENTS = ("found", "handled", "deformed")
 MAX_COMPRESSION = 1032  # of deflate: bytes for each one stored
 
 MOST_LISTED = 20  # cases in a message
-
-
-@dataclass(frozen=True)
-class Step:
-    """One step of a case, as it was recorded for replay."""
-
-    positions: dict[str, np.ndarray]  # per moment: organ vertices, mm, [vertices, 3]
-    rest_positions: np.ndarray  # organ vertices at rest, mm, [vertices, 3]
-    facets: np.ndarray  # of the organ, [facets, 3]
-    tool_positions: np.ndarray  # tool vertices at this step, in world coordinates, mm, [vertices, 3]
-    tool_facets: np.ndarray  # [facets, 3]
-    tool_tip: np.ndarray  # the origin of the tool's frame, mm, [3]
-    tool_way: np.ndarray  # of the tool's tip in this step, mm, [3]; zero in the first step
-    moved: np.ndarray  # numbers of the vertices that the strategy displaced
-    values: dict[str, float]  # the step's value of every series of the case; "time" in s
 
 
 class ResultFile:
@@ -132,6 +118,11 @@ class ResultFile:
         count = self._file.attrs.get("sweep_cases")
         return None if count is None else int(count)
 
+    def origin(self) -> dict[str, str]:
+        """Of the file: `created_utc`, `generator` and `sweep_toml`; "" for what it does not say."""
+        with self._reading():
+            return {name: text(self._file.attrs.get(name, "")) for name in ("created_utc", "generator", "sweep_toml")}
+
     def units(self) -> dict[str, str]:
         """The unit of each column of /cases and /states; "" for text and plain numbers."""
         with self._reading():
@@ -165,8 +156,25 @@ class ResultFile:
         with self._reading():
             return self._file[f"series/{case_id}/{name}"][...].astype(float)
 
+    def case_series(self, case_id: str) -> CaseSeries:
+        """All series of a case at once, in the order of their names; empty where the file has none of it."""
+        with self._reading():
+            return read_case_series(self._file["series"], case_id)
+
+    def series_words(self, case_id: str, name: str) -> tuple[str, str]:
+        """The unit of a series, "" for plain numbers, and what it is, in words."""
+        with self._reading():
+            said = self._file[f"series/{case_id}/{name}"].attrs
+            unit, words = text(said.get("units", "")), text(said.get("long_name", ""))
+        return "" if unit == "1" else unit, words
+
     def has_replay(self, case_id: str) -> bool:
         return f"replay/{case_id}" in self._file
+
+    def recorded_cases(self) -> set[str]:
+        """The ids of the cases that have a replay."""
+        with self._reading():
+            return set(self._file.get("replay", ()))
 
     def tool_poses(self, case_id: str) -> np.ndarray:
         """Tool frame to world at the end of each step, [steps, 4, 4], mm."""
@@ -177,6 +185,33 @@ class ResultFile:
         """Step `number` (from 0) of a case that has a replay."""
         with self._reading():
             return self._read_step(case_id, number)
+
+    def replay_size(self, case_id: str) -> tuple[int, int]:
+        """Steps and organ vertices of a case that has a replay."""
+        with self._reading():
+            steps, vertices, _ = self._replay(case_id)["found"].shape
+            return steps, vertices
+
+    def recording(self, case_id: str) -> Recording:
+        """All steps of a case that has a replay."""
+        with self._reading():
+            replay = self._replay(case_id)
+            offsets = replay["moved_offsets"][1:-1].astype(int)
+            return Recording(
+                positions={moment: replay[moment][...] for moment in MOMENTS},
+                rest_positions=replay["rest_positions"][...].astype(float),
+                facets=replay["facets"][...],
+                tool_positions=replay["tool_positions"][...].astype(float),
+                tool_facets=replay["tool_facets"][...],
+                tool_poses=replay["tool_pose"][...].astype(float),
+                moved=np.split(replay["moved"][...], offsets),
+                moved_by=np.split(replay["moved_by"][...], offsets),
+                series={
+                    name: values[...].astype(float)
+                    for name, values in self._file.get(f"series/{case_id}", {}).items()
+                    if len(values)
+                },
+            )
 
     def _labelled(self, group: str) -> pd.DataFrame:
         """A table of the file. A row without a label gets its strategy's name as label."""

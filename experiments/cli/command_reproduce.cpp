@@ -124,8 +124,6 @@ bool run_sweeps(const ReproduceOptions& options, const ClaimsPlan& plan, const P
     return true;
 }
 
-fs::path turns_file(const fs::path& out) { return fs::path(out).replace_extension(".turns.csv"); }
-
 /// Measures how far answers turn for inputs that are almost the same, of every strategy of the sweeps.
 void run_turns(const ReproduceOptions& options, const ClaimsPlan& plan) {
     std::vector<StrategyChoice> strategies;
@@ -137,7 +135,7 @@ void run_turns(const ReproduceOptions& options, const ClaimsPlan& plan) {
         }
         if (one.sweep.seeds.size() > seeds.size()) seeds = one.sweep.seeds;
     }
-    write_turns(turns_file(options.out), measure_turns(strategies, seeds));
+    write_turns(turns_beside(options.out), measure_turns(strategies, seeds));
 }
 
 /// What the analysis reads of the file of claims, before anything is run: a mistake in a condition must not
@@ -149,7 +147,7 @@ int check_conditions(const fs::path& claims_file) {
 int judge(const ReproduceOptions& options, const ClaimsPlan& plan, const fs::path& claims_file) {
     std::vector<std::string> words{"claims", "--better=" + better_directions()};
     if (!options.claims.empty()) words.push_back(fmt::format("--only={}", fmt::join(options.claims, ",")));
-    if (plan.needs_turns) words.push_back("--turns=" + turns_file(options.out).string());
+    if (plan.needs_turns) words.push_back("--turns=" + turns_beside(options.out).string());
     if (options.markdown) words.emplace_back("--markdown");
     if (options.json) words.emplace_back("--json");
     words.insert(words.end(), {"--", claims_file.string(), options.out});

@@ -60,6 +60,9 @@ int run_program(int argc, char** argv) {
     trocar::add_front(app, program);
     trocar::add_snapshot(app, program);
     trocar::add_figure(app, program);
+    trocar::add_report(app, program);
+    trocar::add_figures(app, program);
+    trocar::add_export(app, program);
     trocar::add_check(app, program);
     trocar::add_bench(app, program);
     trocar::add_fuzzy(app, program);

@@ -47,4 +47,7 @@ Turns measure_turns_at(const turns::SingleVertex& vertex, Strategy& strategy, co
 /// labels stand in quotes. The file appears when it is whole. Throws StoreError where it cannot be written.
 void write_turns(const std::filesystem::path& file, const std::vector<Turns>& rows);
 
+/// Where `trocar reproduce` leaves them: beside its result file.
+std::filesystem::path turns_beside(const std::filesystem::path& results);
+
 }  // namespace trocar

@@ -32,4 +32,8 @@ void write_turns(const std::filesystem::path& file, const std::vector<Turns>& ro
     pending.publish();
 }
 
+std::filesystem::path turns_beside(const std::filesystem::path& results) {
+    return std::filesystem::path(results).replace_extension(".turns.csv");
+}
+
 }  // namespace trocar

@@ -62,6 +62,7 @@ def write_replay(file: h5py.File, case_id: str, steps: list[dict]) -> None:
     group["tool_facets"], group["tool_positions"] = tool_facets, tool.astype(np.float32)
     group["tool_pose"] = np.array([step["pose"] for step in steps], np.float32)
     group["moved"] = np.concatenate([step["moved"] for step in steps]).astype(np.int32)
+    group["moved_by"] = np.concatenate([(step["handled"] - step["found"])[step["moved"]] for step in steps])
     group["moved_offsets"] = np.cumsum([0, *(len(step["moved"]) for step in steps)])
     file[f"series/{case_id}/time"] = np.arange(1, len(steps) + 1) / 30
     file[f"series/{case_id}/collided_vertices"] = np.array([float(len(step["moved"])) for step in steps])

@@ -3,11 +3,13 @@
 /usr/bin/python3 command_line_test.py PROGRAM
 """
 
+import json
 import os
 import pathlib
 import re
 import signal
 import subprocess
+import xml.etree.ElementTree
 
 import h5py
 import numpy as np
@@ -15,7 +17,9 @@ import numpy as np
 from program_test import ProgramTest, run_tests
 from same_bits import bits
 
-PAGES = pathlib.Path(__file__).resolve().parents[2] / "experiments" / "metrics" / "pages"
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+PAGES = SOURCE / "experiments" / "metrics" / "pages"
+TURNS = SOURCE / "results" / "reference" / "claims" / "claims.turns.csv"
 
 SWEEP = """name = "small"
 strategies = ["nearest-face", "fuzzy-per-vertex"]
@@ -97,7 +101,8 @@ class CommandLine(ProgramTest):
     # Usage
 
     def test_help_of_each_command_has_an_example(self):
-        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["rank"], ["front"], ["snapshot"], ["figure"], ["reproduce"], ["check"],
+        for command in ([], ["run"], ["merge"], ["list"], ["show"], ["compare"], ["sensitivity"], ["rank"], ["front"], ["snapshot"],
+                        ["figure"], ["figures"], ["report"], ["export"], ["reproduce"], ["check"],
                         ["bench"],
                         ["fuzzy"],
                         ["fuzzy", "rules"], ["fuzzy", "explain"], ["fuzzy", "plot"]):  # fmt: skip
@@ -283,6 +288,53 @@ class CommandLine(ProgramTest):
         wrong = self.write("wrong.toml", PANELS.replace("nearest-face", "farthest-face"))
         self.expect_refused("wrong.toml: panel a: no label", "figure", self.out, "--panels", wrong, "-o", self.folder / "y.png")
         self.assertFalse((self.folder / "y.png").exists())
+
+    # Reports, figures and exports
+
+    def test_report_is_one_page(self):
+        self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1")
+        page = self.folder / "report.html"
+        self.expect_done("report", self.out, "-o", page, "--budget", "2")
+        text = page.read_text()
+        self.assertTrue(text.startswith("<!doctype html>"))
+        self.assertLessEqual(len(text.encode()), 2_000_000)
+        self.expect_refused("--budget", "report", self.out, "-o", page, "--budget", "0")
+        self.expect_refused("none.h5", "report", self.folder / "none.h5", "-o", page)
+        self.assertEqual(page.read_text(), text)
+
+    def test_report_judges_the_claims_and_reads_the_turns_beside_the_results(self):
+        self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1")
+        for turns, word in (("", "not run"), (TURNS.read_text(), "reproduced")):
+            if turns:
+                self.write("out.turns.csv", turns)
+            self.expect_done("report", self.out, "-o", self.folder / "report.html")
+            said = re.search(r'id="report">(.*?)</script>', (self.folder / "report.html").read_text(), re.DOTALL)[1]
+            claims = {claim["id"]: claim["verdicts"] for claim in json.loads(said)["overview"]["claims"]["claims"]}
+            self.assertEqual({verdict["word"] for verdict in claims["C11"]}, {word})
+
+    def test_figures_fill_a_folder(self):
+        self.expect_done("run", self.sweep, "-o", self.out)
+        folder = self.folder / "figures"
+        self.expect_done("figures", self.out, "-o", folder, "--metric", "depth_max_d_max", "--only", "speed=400")
+        self.assertLessEqual({".svg", ".pdf", ".tex"}, {path.suffix for path in folder.iterdir()})
+        self.expect_refused("none.h5", "figures", self.folder / "none.h5", "-o", folder)
+
+    def test_export_has_meshes_and_the_way_for_paraview(self):
+        self.expect_done("run", self.sweep, "-o", self.out, "--only", "seed=1", "--only", "speed=400", "--replay")
+        with h5py.File(self.out) as file:
+            first, second = file["cases/case_id"].asstr()[:]
+        folder = self.folder / "case"
+        self.expect_done(
+            "export", self.out, "--case", second[:8], "-o", folder, "--format", "obj", "--moment", "handled", "--steps", "1:3"
+        )
+        names = [f"{name}_000{step}.obj" for name in ("organ_handled", "tool") for step in (1, 2)]
+        self.assertEqual(sorted(path.name for path in folder.iterdir()), sorted([*names, "case.json", "replay.xdmf"]))
+        grids = xml.etree.ElementTree.parse(folder / "replay.xdmf").findall("Domain/Grid")
+        self.assertEqual([grid.get("Name").split()[-1] for grid in grids], [second])
+        place = grids[0].find(".//Topology/DataItem").text.split(":")[0]
+        self.assertTrue((folder / place).samefile(self.out))
+        self.expect_refused("is not unique", "export", self.out, "--case", os.path.commonprefix([first, second]), "-o", folder)
+        self.expect_refused("--format", "export", self.out, "--case", first, "-o", folder, "--format", "stl")
 
     def test_every_metric_has_a_page_with_its_picture(self):
         table = self.expect_done("list", "metrics").stdout

@@ -15,7 +15,7 @@ import unittest
 BUILD, *CONFIGURE_OPTIONS = sys.argv[1:]
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 CONSUMER = SOURCE / "tests" / "package" / "consumer"
-NEEDED = ("numpy", "h5py", "pandas")  # by `trocar show`
+NEEDED = ("numpy", "h5py", "pandas", "scipy", "matplotlib")  # by `trocar show` and `trocar report`
 
 SWEEP = """name = "installed"
 strategies = ["nearest-face"]
@@ -59,6 +59,11 @@ class Package(unittest.TestCase):
         (self.folder / "sweep.toml").write_text(SWEEP)
         run(program, "run", "sweep.toml", "-o", "out.h5", cwd=self.folder)
         self.assertIn("nearest-face", run(program, "show", "out.h5", cwd=self.folder))
+        page = self.prefix / "share" / "trocar" / "analysis" / "page" / "dist" / "page.css"
+        if not page.exists():
+            self.skipTest("the page of reports was not built (make page)")
+        run(program, "report", "out.h5", "-o", "report.html", cwd=self.folder)
+        self.assertIn(page.read_text()[:200], (self.folder / "report.html").read_text())
 
     def test_the_package_can_be_moved(self):
         files = list(self.prefix.rglob("*.cmake"))

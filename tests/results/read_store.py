@@ -83,6 +83,10 @@ def check_tables(campaign):
     assert series["depth_max_d"].values[2] == 0.25 and series["depth_max_d"].attrs["units"] == "mm"
 
 
+def numbers(words):
+    return tuple(int(word) for word in words.split())
+
+
 def check_xdmf(campaign, xdmf):
     root = xml.etree.ElementTree.parse(xdmf).getroot()
     times = [float(time.get("Value")) for time in root.iter("Time")]
@@ -91,11 +95,17 @@ def check_xdmf(campaign, xdmf):
     items = [item for item in root.iter("DataItem") if item.get("Format") == "HDF"]
     assert len(items) == 3 * 6, len(items)
     for item in items:
-        name, dataset = item.text.split(":")
+        place, _, slab = item.text.partition("|")
+        name, dataset = place.split(":")
         assert (Path(xdmf).parent / name).samefile(campaign), name
         with h5py.File(Path(xdmf).parent / name) as file:
-            shape = tuple(int(length) for length in item.get("Dimensions").split())
-            assert file[dataset].shape == shape, item.text
+            shape = numbers(item.get("Dimensions"))
+            if slab:
+                start, stride, count, whole = map(numbers, slab.split(":"))
+                assert (start[0] in range(3), start[1:], stride) == (True, (0, 0), (1, 1, 1)), item.text
+                assert file[dataset].shape == whole and (count[0], count[1:]) == (1, shape), item.text
+            else:
+                assert file[dataset].shape == shape, item.text
             assert file[dataset].dtype.itemsize == int(item.get("Precision")), item.text
 
 

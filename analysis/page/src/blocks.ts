@@ -34,7 +34,9 @@ export function readJson<T>(id: string): T {
 
 /** The values of a block, little-endian, row by row. Bytes of one significance lie together in the report: they pack better. */
 export async function readBlock(block: Block): Promise<Values> {
-  const packed = Uint8Array.from(atob(text(block.block)), (c) => c.charCodeAt(0));
+  const binary = atob(text(block.block));
+  const packed = new Uint8Array(binary.length);
+  for (let i = 0; i < packed.length; i++) packed[i] = binary.charCodeAt(i);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   const planes = new Uint8Array(await new Response(stream).arrayBuffer());
   const array = KINDS[block.kind];

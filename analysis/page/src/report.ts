@@ -14,8 +14,19 @@ export interface Column {
   longName: string; // what it is, in words
   role: "input" | "outcome" | "figure";
   better: Better; // which way is better, of figures that are judged
+  part?: "condition" | "option"; // of the inputs: equal in cases that differ in their strategy alone; of the strategy
+  caution?: string; // why the values of different cases may not be compared
   levels?: string[];
   values: Block; // one a case; NaN where there is none
+  why?: { levels: string[]; values: Block }; // why a case has no value, "" where it has one; absent when all have one
+}
+
+export interface Metric {
+  metric: string;
+  unit: string;
+  better: "low" | "high" | "neither" | ""; // "": the program did not say
+  words: string;
+  columns: string[];
 }
 
 export interface Report {
@@ -29,7 +40,8 @@ export interface Report {
   cases: number; // cases in the file
   labels: string[]; // of the strategies, in the order in which all charts and tables have them
   columns: Column[];
-  provenance: Record<string, string | number>[];
+  provenance: Record<string, string | number>[]; // each way in which cases were run; column provenance_row numbers them
+  glossary: Metric[];
   overview: Overview;
   series: SeriesIndex;
   replays: Replay[];

@@ -23,18 +23,19 @@ def reproduce(
     claims = choose_claims(read_claims(claims_path), ids)
     needs_results = any(one.data != "turns" for claim in claims for one in claim.conditions)
     sources = read_sources(path if needs_results else None, turns_path, better)
-    answers = [
-        Answer(
-            claim,
-            {release: corrected(judge_claim(claim, sources, release, False)) for release in RELEASES},
-            {release: corrected(judge_claim(claim, sources, release, True)) for release in RELEASES},
-            without_states(claim, sources),
-        )
-        for claim in claims
-    ]
+    answers = [answer_of(claim, sources) for claim in claims]
     if style == "json":
         return json.dumps([as_json(answer) for answer in answers], indent=1, ensure_ascii=False) + "\n"
     return render(answers, sources.units, style)
+
+
+def answer_of(claim: Claim, sources: Sources) -> Answer:
+    return Answer(
+        claim,
+        {release: corrected(judge_claim(claim, sources, release, False)) for release in RELEASES},
+        {release: corrected(judge_claim(claim, sources, release, True)) for release in RELEASES},
+        without_states(claim, sources),
+    )
 
 
 def without_states(claim: Claim, sources: Sources) -> tuple[int, int]:

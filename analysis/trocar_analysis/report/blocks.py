@@ -17,6 +17,7 @@ class Blocks:
 
     def __init__(self) -> None:
         self._packed: dict[str, str] = {}
+        self._size = 0
 
     def add(self, name: str, values: np.ndarray, kind: str) -> dict:
         """Packs an array as numbers of this kind. What it returns belongs in the report's JSON: the page finds the array by it."""
@@ -24,11 +25,25 @@ class Blocks:
         if name in self._packed:
             raise ValueError(f"two arrays of the report are called {name}")
         self._packed[name] = packed
+        self._size += len(packed)
         return {"block": name, "kind": kind, "shape": list(values.shape)}
+
+    def add_once(self, name: str, values: np.ndarray, kind: str) -> dict:
+        """As add; an array of this name is taken to be the same."""
+        if name in self._packed:
+            return {"block": name, "kind": kind, "shape": list(values.shape)}
+        return self.add(name, values, kind)
+
+    def take(self, others: Blocks) -> None:
+        """Adds the arrays of others."""
+        if both := self._packed.keys() & others._packed.keys():
+            raise ValueError(f"two arrays of the report are called {sorted(both)[0]}")
+        self._packed |= others._packed
+        self._size += others._size
 
     def size(self) -> int:
         """Bytes that they take in the file."""
-        return sum(map(len, self._packed.values()))
+        return self._size
 
     def tags(self) -> str:
         """As HTML."""

@@ -1,0 +1,1 @@
+"""`export`: a recorded case as meshes for other programs."""
