@@ -55,6 +55,7 @@ export function makeFrame(): Frame {
     const drawn = parts.draw(width);
     if (drawn instanceof HTMLElement) return place.replaceChildren(drawn);
     const { svg, points } = drawn instanceof SVGSVGElement ? { svg: drawn, points: [] } : drawn;
+    for (const part of svg.querySelectorAll("[aria-label]")) part.removeAttribute("aria-label"); // the drawing is one picture
     svg.setAttribute("role", "img");
     const keys = points.length ? " Arrow keys go from point to point." : "";
     svg.setAttribute("aria-label", `${parts.title}, ${unitWords(parts)}.${keys}`);

@@ -34,15 +34,13 @@ export function swatch({ colour, dash, symbol }: SeriesStyle): SVGSVGElement {
     ],
   }) as SVGSVGElement;
   drawn.querySelector("style")?.remove(); // else it would be part of the name of a button
+  for (const part of drawn.querySelectorAll("[aria-label]")) part.removeAttribute("aria-label");
+  drawn.setAttribute("aria-hidden", "true"); // the label stands beside it
   return drawn;
 }
 
 export function legend(entries: LegendEntry[]): HTMLElement {
-  const item = ({ label, style }: LegendEntry) => {
-    const drawn = swatch(style);
-    drawn.setAttribute("aria-hidden", "true");
-    return h("li", {}, drawn, label);
-  };
+  const item = ({ label, style }: LegendEntry) => h("li", {}, swatch(style), label);
   return h("ul", { class: "legend", "aria-label": "strategies" }, ...entries.map(item));
 }
 

@@ -120,7 +120,6 @@ function siblingTable(page: Page, row: number, siblings: number[]): HTMLElement 
     const status = cases.text("status", other);
     const name = other === row ? h("strong", {}, `${label} (this case)`) : h("a", { href: `#/case/${ids[k]}` }, label);
     const mark = swatch(styleOfLabel(report.labels, label));
-    mark.setAttribute("aria-hidden", "true");
     const notes = [status === "complete" ? "" : status, report.series.cases[ids[k]!] ? "" : "series not in this report"].filter(Boolean).join(", ");
     return h("li", {}, mark, name, ...(notes ? [h("span", { class: "chart-note" }, ` ${notes}`)] : []));
   });
@@ -143,7 +142,8 @@ function command(page: Page, row: number): HTMLElement {
       said.textContent = "selected: copy it with Ctrl+C";
     }
   };
-  const code = h("code", { class: "command", tabindex: 0 }, text);
+  const breaks = text.split(/ (?=-)/); // a line ends in front of an option, not within it
+  const code = h("code", { class: "command" }, ...breaks.flatMap((word, k) => [k ? " " : "", h("span", { class: "word" }, word)]));
   const file = sweepFile(line);
   const save = () => saveFile((file ?? UNKNOWN).split("/").at(-1)!, "text/plain", report.sweepToml);
   const where = file

@@ -57,8 +57,7 @@ export async function seriesPanel(page: Page, caseIds: string[]): Promise<Series
   const point = () => {
     const step = Number(slider.value);
     readout.textContent = `step ${step}, ${short(time[step] ?? NaN)} s`;
-    const plot = plots[0];
-    if (plot) plot.setCursor({ left: plot.valToPos(time[step]!, "x"), top: 10 });
+    for (const plot of plots) plot.setCursor({ left: plot.valToPos(time[step]!, "x"), top: 10 });
   };
   slider.addEventListener("input", point);
   const resized = new ResizeObserver(() => {
@@ -92,8 +91,8 @@ export async function seriesPanel(page: Page, caseIds: string[]): Promise<Series
 const FIRST_NAMES = ["tool_volume_inside_d", "depth_max_d", "facets_crossing_d", "displacement_mean", "collided_vertices", "time_handle"];
 
 function firstOf(all: Series[]): Series[] {
-  const known = all.filter(({ name }) => FIRST_NAMES.includes(name));
-  return known.length ? known : all.slice(0, FIRST);
+  const isUsual = ({ name }: Series) => FIRST_NAMES.includes(name);
+  return [...all.filter(isUsual), ...all.filter((series) => !isUsual(series))].slice(0, FIRST);
 }
 
 function largestOf(lines: Line[]): number {
@@ -148,7 +147,6 @@ function missingWords(series: Series, time: Float64Array): HTMLElement[] {
 function memberChips(page: Page, members: Member[], over: Set<string>, draw: () => void): HTMLElement {
   const chips = members.slice(1).map(({ caseId, label }) => {
     const mark = swatch(styleOfLabel(page.report.labels, label));
-    mark.setAttribute("aria-hidden", "true");
     return toggle([mark, label], over, caseId, draw);
   });
   return h("fieldset", { class: "chips" }, h("legend", {}, "beside it, under the same conditions"), ...chips);
