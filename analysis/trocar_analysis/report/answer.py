@@ -139,7 +139,7 @@ def median(comparison: dict, row: dict) -> str:
 def value_words(comparison: dict, row: dict) -> str:
     """The median and its interval."""
     shown = [said(number(row[name]) * comparison["factor"]) for name in ("median", "low", "high") if row[name] is not None]
-    interval = f" ({shown[1]}–{shown[2]})" if len(shown) == 3 else ""
+    interval = f" [{shown[1]}–{shown[2]}]" if len(shown) == 3 else ""
     return f"{shown[0]} {comparison['unit']}".rstrip() + interval
 
 

@@ -74,7 +74,7 @@ export function writeAddress(caseIds: string[], shown: Shown): string {
     ["through", "0", !shown.through],
     ["speed", String(shown.speed), shown.speed !== DEFAULTS.speed],
     ["vertex", String(shown.vertex), shown.vertex !== null],
-    ["camera", (shown.camera ?? []).map((value) => Number(value.toFixed(2))).join(), shown.camera !== null],
+    ["camera", (shown.camera ?? []).join(), shown.camera !== null],
     ["bare", "1", shown.bare],
   ];
   const query = said.filter(([, , isSaid]) => isSaid).map(([name, value]) => `${name}=${value}`);

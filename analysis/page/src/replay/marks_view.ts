@@ -1,4 +1,5 @@
-// What is drawn over the organ of one view: the vertices that the strategy moved, how, and the pinned one.
+// What is drawn over the organ of one view, also where the organ hides it: the vertices that the strategy moved, how, and the
+// pinned one.
 
 import {
   CylinderGeometry, ConeGeometry, DynamicDrawUsage, Group, IcosahedronGeometry, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, type Plane,
@@ -27,10 +28,10 @@ export function marksView(recording: Recording, size: number): MarksView {
   const rod = new CylinderGeometry(1, 1, 1, 8).translate(0, 0.5, 0);
   const tip = new ConeGeometry(1, 1, 12).translate(0, -0.5, 0);
   const overAll = { depthTest: false, transparent: true };
-  const ballPaint = new MeshBasicMaterial();
+  const ballPaint = new MeshBasicMaterial(overAll);
   const arrowPaint = new MeshBasicMaterial(overAll);
   const pinPaint = new MeshBasicMaterial(overAll);
-  const balls = instances(ball, ballPaint, most, 0);
+  const balls = instances(ball, ballPaint, most, 6);
   const rods = instances(rod, arrowPaint, most, 6);
   const tips = instances(tip, arrowPaint, most, 6);
   const pin = new Mesh(ball, pinPaint);

@@ -24,8 +24,9 @@ export function orbitFrom(numbers: number[]): Orbit {
   return { target: new Vector3(x, y, z), distance: Math.max(distance, 0.1), side, height: Math.max(-89, Math.min(89, height)) };
 }
 
+/** Rounded, to be said in an address. */
 export function orbitNumbers(orbit: Orbit): number[] {
-  return [...orbit.target.toArray(), orbit.distance, orbit.side, orbit.height];
+  return [...orbit.target.toArray(), orbit.distance, orbit.side, orbit.height].map((value) => Number(value.toFixed(3)));
 }
 
 /** Puts the camera there. @param aspect width of a view over its height */

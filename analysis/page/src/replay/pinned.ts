@@ -49,7 +49,7 @@ function plot(recordings: Recording[], vertex: number, step: number, moment: Mom
     pathOf(recording, vertex, moment).map((mm, frame) => ({ step: recording.frames[frame]!, mm, label: recording.replay.label })),
   );
   const labels = recordings.map((recording) => recording.replay.label);
-  return Plot.plot({
+  const drawing = Plot.plot({
     width: 520,
     height: 190,
     marginLeft: 44,
@@ -62,4 +62,7 @@ function plot(recordings: Recording[], vertex: number, step: number, moment: Mom
       Plot.line(points, { x: "step", y: "mm", stroke: "label", strokeWidth: 1.6 }),
     ],
   });
+  drawing.setAttribute("role", "img");
+  for (const group of drawing.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label"); // a group may not have one
+  return drawing;
 }

@@ -74,6 +74,7 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
   const moved = (move: () => void) => {
     move();
     shown.camera = orbitNumbers(stage.orbit);
+    stage.orbit = orbitFrom(shown.camera); // what the address says, to the last bit
     redraw();
     remember();
   };

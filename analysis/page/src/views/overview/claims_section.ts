@@ -10,13 +10,14 @@ export function claimsSection({ claims, about, legend }: Overview["claims"]): HT
   const said = about.map((sentence) => h("p", { class: "note" }, sentence));
   if (!claims.length) return said;
   const words = h("details", { class: "more" }, h("summary", {}, "How a claim is judged"), ...legend.map((line) => h("p", {}, line)));
-  return [h("div", { class: "claims" }, ...claims.map(claimElement)), ...said, words];
+  return [...said, h("div", { class: "claims" }, ...claims.map(claimElement)), words];
 }
 
 function claimElement(claim: Claim): HTMLElement {
   const tags = h("div", { class: "claim-verdicts" }, ...together(claim.verdicts).map(verdictElement));
   const heading = h("h3", {}, h("span", { class: "claim-id" }, claim.id), " ", claim.says);
-  const inside = [h("p", { class: "claim-place" }, claim.place, claim.pending ? `. Cannot be judged yet: ${claim.pending}` : ""), ...claim.notes.map((note) => h("p", { class: "note" }, note))];
+  const place = h("p", { class: "claim-place" }, claim.place, claim.pending ? `. Cannot be judged yet: ${claim.pending}.` : "");
+  const inside = [place, ...claim.notes.map((note) => h("p", { class: "note" }, note))];
   return h("article", { class: "claim" }, heading, tags, ...inside, ...conditions(claim));
 }
 
@@ -40,5 +41,5 @@ function conditions({ id, table }: Claim): HTMLElement[] {
   const head = table.columns.map(({ title }, place) => h("th", { scope: "col", class: kind[place] }, title));
   const rows = table.rows.map((row) => h("tr", {}, ...row.map((cell, place) => h("td", { class: kind[place] }, cell))));
   const scroll = h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": `Conditions of ${id}` }, h("table", {}, h("thead", {}, h("tr", {}, ...head)), h("tbody", {}, ...rows)));
-  return [h("details", { class: "more" }, h("summary", {}, `Its ${table.rows.length} conditions`), scroll)];
+  return [h("details", { class: "more" }, h("summary", {}, "Its conditions, with medians and intervals"), scroll)];
 }

@@ -49,13 +49,14 @@ function draw(report: Report, rows: Row[], ranks: Ranks, width: number): Drawing
   const height = top + Math.max(...names.map(({ level }) => level)) * NAME_STEP + 12;
   const drawing = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}` });
   drawing.append(...axis(count, x), ...difference(ranks.difference, count, x));
-  for (const { row, x: at, words: said, level, onRight } of names) {
-    const y = top + level * NAME_STEP;
-    const edge = onRight ? width - 2 : 2;
+  const lines = names.map(({ row, x: at, level, onRight }) => {
     const { colour } = styleOfLabel(report.labels, row.label);
-    drawing.append(svg("path", { d: `M${at},${AXIS}V${y}H${edge}`, fill: "none", stroke: colour, "stroke-width": 1.6 }));
-    drawing.append(svg("text", { x: edge, y: y - 4, "text-anchor": onRight ? "end" : "start", style: HALO }, said));
-  }
+    return svg("path", { d: `M${at},${AXIS}V${top + level * NAME_STEP}H${onRight ? width - 2 : 2}`, fill: "none", stroke: colour, "stroke-width": 1.6 });
+  });
+  const texts = names.map(({ words: said, level, onRight }) =>
+    svg("text", { x: onRight ? width - 2 : 2, y: top + level * NAME_STEP - 5, "text-anchor": onRight ? "end" : "start", style: HALO }, said),
+  );
+  drawing.append(...lines, ...texts); // no line through a name
   bars.forEach((level, number) => {
     const y = AXIS + FIRST_BAR + number * BAR_STEP;
     for (const { best, worst } of level) drawing.append(line(worst - OVERHANG, best + OVERHANG, y, y, 4));

@@ -15,6 +15,7 @@ import { svg } from "./svg";
 type Drawn = Extract<Front, { x: Axis }>;
 
 const HEIGHT = 400; // px
+const LEFT = 60; // where the axis of what is left inside stands
 const WAYS = { low: "lower is better", high: "higher is better" };
 const TEXT = "font: 12px system-ui, sans-serif; fill: var(--chart-ink); paint-order: stroke; stroke: var(--chart-background); stroke-width: 3px; stroke-linejoin: round";
 
@@ -46,7 +47,7 @@ function draw(report: Report, front: Drawn, width: number): HTMLElement | Drawin
   const chart = Plot.plot({
     width,
     height: HEIGHT,
-    marginLeft: 60,
+    marginLeft: LEFT,
     marginBottom: 42,
     marginTop: 16,
     marginRight: 20,
@@ -54,8 +55,6 @@ function draw(report: Report, front: Drawn, width: number): HTMLElement | Drawin
     x: axisOptions(front.x, points.flatMap(({ at, ends }) => [at.x, ...ends.x]), width),
     y: axisOptions(front.y, points.flatMap(({ at, ends }) => [at.y, ...ends.y]), HEIGHT),
     marks: [
-      Plot.gridX({ stroke: "var(--chart-rule)", strokeOpacity: 1 }),
-      Plot.gridY({ stroke: "var(--chart-rule)", strokeOpacity: 1 }),
       Plot.line(onFront, { x: ({ at }) => at.x, y: ({ at }) => at.y, stroke: "var(--chart-faint)", strokeDasharray: "5 4", strokeWidth: 1.5 }),
       ...points.flatMap(({ at, ends, own, onFront: isOn }) => [
         Plot.link([at], { x1: ends.x[0], x2: ends.x[1], y1: at.y, y2: at.y, stroke: own.colour, strokeWidth: 1.6 }),
@@ -66,8 +65,8 @@ function draw(report: Report, front: Drawn, width: number): HTMLElement | Drawin
   }) as SVGSVGElement & Plot.Plot;
   const [x, y] = [chart.scale("x")!, chart.scale("y")!];
   const spots = points.map(({ at, label, failed }) => ({ x: x.apply(at.x) as number, y: y.apply(at.y) as number, words: failed ? `${label} ×` : label }));
-  for (const { x: left, y: middle, words } of placeNames(spots, width, HEIGHT)) {
-    chart.append(svg("text", { x: left, y: middle, "dominant-baseline": "central", style: TEXT }, words));
+  for (const { x: left, y: middle, words } of placeNames(spots, { left: LEFT + 4, right: width - 4, top: 4, bottom: HEIGHT - 48 })) {
+    chart.append(svg("text", { x: left, y: middle, "text-anchor": "start", "dominant-baseline": "central", style: TEXT }, words));
   }
   return { svg: chart, points: points.map((point, place) => ({ x: spots[place]!.x, y: spots[place]!.y, lines: said(front, point) })) };
 }
@@ -88,7 +87,7 @@ function axisOptions({ title, unit, better }: Axis, values: number[], length: nu
   const words = `${title.length * 6.5 > length - 120 ? title.split(/[,:]/)[0] : title}${unit ? `, ${unit}` : ""}`;
   const room = `${words}${way}`.length * 6.2 < length ? `${words}${way}` : words;
   const low = Math.min(0, ...values);
-  return { domain: [low, Math.max(...values) * 1.04 || 1], label: room, labelAnchor: "center", labelArrow: "none", ticks: Math.max(3, Math.floor(length / 90)), tickFormat: (value: number) => short(value) };
+  return { domain: [low, Math.max(...values) * 1.04 || 1], label: room, grid: true, labelAnchor: "center", labelArrow: "none", ticks: Math.max(3, Math.floor(length / 90)), tickFormat: (value: number) => short(value) };
 }
 
 function said(front: Drawn, point: FrontPoint): string[] {

@@ -6,7 +6,7 @@ export interface Spot {
   words: string;
 }
 
-interface Box {
+export interface Box {
   left: number;
   right: number;
   top: number;
@@ -16,11 +16,12 @@ interface Box {
 const LETTER = 6.7; // px
 const HALF = 9; // half a line
 const AWAY = 11; // from the point
+const OFF = 100; // what it costs to be a px off the paper, in px² that meet something
 const POINT = 8; // half a point's size
 
 /** The left end and the middle of each name. It takes the first place of eight in which it meets nothing, else the one in which
  * it meets least. */
-export function placeNames(spots: Spot[], width: number, height: number): Spot[] {
+export function placeNames(spots: Spot[], paper: Box): Spot[] {
   const taken: Box[] = spots.map(({ x, y }) => ({ left: x - POINT, right: x + POINT, top: y - POINT, bottom: y + POINT }));
   return spots.map(({ x, y, words }) => {
     const length = words.length * LETTER;
@@ -29,7 +30,7 @@ export function placeNames(spots: Spot[], width: number, height: number): Spot[]
       [right, y], [left, y], [middle, y - 18], [middle, y + 18], [right, y - 16], [right, y + 16], [left, y - 16], [left, y + 16],
     ].map(([start, line]) => ({ x: start!, y: line! }));
     const boxes = places.map((place) => ({ left: place.x, right: place.x + length, top: place.y - HALF, bottom: place.y + HALF }));
-    const costs = boxes.map((box) => taken.reduce((sum, other) => sum + shared(box, other), 0) + 10 * outside(box, width, height));
+    const costs = boxes.map((box) => taken.reduce((sum, other) => sum + shared(box, other), 0) + OFF * outside(box, paper));
     const best = costs.indexOf(Math.min(...costs));
     taken.push(boxes[best]!);
     return { ...places[best]!, words };
@@ -43,6 +44,7 @@ function shared(one: Box, other: Box): number {
   return across > 0 && down > 0 ? across * down : 0;
 }
 
-function outside({ left, right, top, bottom }: Box, width: number, height: number): number {
-  return Math.max(0, -left) + Math.max(0, right - width) + Math.max(0, -top) + Math.max(0, bottom - height);
+/** How far a box is off the paper, px. */
+function outside({ left, right, top, bottom }: Box, paper: Box): number {
+  return Math.max(0, paper.left - left) + Math.max(0, right - paper.right) + Math.max(0, paper.top - top) + Math.max(0, bottom - paper.bottom);
 }
