@@ -1,7 +1,7 @@
 // What every chart of the explore view is drawn from.
 
 import type { Page } from "../../view";
-import { readableUnit } from "../../numbers";
+import { quantile, readableUnit } from "../../numbers";
 import type { Column } from "../../report";
 import type { ExploreState } from "./state";
 
@@ -21,13 +21,9 @@ export function shownOf(page: Page, state: ExploreState, rows: number[], choose:
   const column = cases.columns.get(state.figure)!;
   const { levels, codes } = cases.codes("label");
   const present = levels.map(() => false);
-  let largest = 0;
-  for (const row of rows) {
-    present[codes[row]!] = true;
-    const value = Math.abs(cases.number(state.figure, row));
-    if (value > largest && Number.isFinite(value)) largest = value;
-  }
-  const { unit, factor } = readableUnit(column.unit, largest);
+  for (const row of rows) present[codes[row]!] = true;
+  const values = Float64Array.from(rows, (row) => cases.number(state.figure, row)).filter(Number.isFinite).sort();
+  const { unit, factor } = readableUnit(column.unit, quantile(values, 0.9));
   return { page, state, rows, column, labels: report.labels.filter((label) => present[levels.indexOf(label)]), unit, factor, choose };
 }
 

@@ -63,7 +63,6 @@ function draw(report: Report, front: Drawn, width: number): HTMLElement | Drawin
       ]),
     ],
   }) as SVGSVGElement & Plot.Plot;
-  for (const group of chart.querySelectorAll("g[aria-label]")) group.removeAttribute("aria-label"); // the frame's says it all
   const [x, y] = [chart.scale("x")!, chart.scale("y")!];
   const spots = points.map(({ at, label, failed }) => ({ x: x.apply(at.x) as number, y: y.apply(at.y) as number, words: failed ? `${label} ×` : label }));
   for (const { x: left, y: middle, words } of placeNames(spots, { left: LEFT + 4, right: width - 4, top: 4, bottom: HEIGHT - 48 })) {
