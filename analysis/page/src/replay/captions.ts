@@ -9,7 +9,7 @@ export const MOMENT_WORDS: Record<Moment, string> = {
   deformed: "after deformation",
 };
 
-/** Such as "deepest 0.53 mm" and "37 facets crossing". A value that the file does not have is left out. */
+/** Such as "deepest vertex 0.53 mm" and "37 facets crossing". A value that the file does not have is left out. */
 export function facts(recording: Recording, frame: number, moment: Moment): string[] {
   const value = (series: string) => recording.value(series, frame);
   const suffix = moment === "handled" ? "h" : "d";
@@ -19,6 +19,7 @@ export function facts(recording: Recording, frame: number, moment: Moment): stri
       : [
           [value(`depth_max_${suffix}`), `deepest vertex ${value(`depth_max_${suffix}`).toFixed(2)} mm`],
           [value(`facets_crossing_${suffix}`), plural(value(`facets_crossing_${suffix}`), "facet", "facets") + " crossing"],
+          [value(`tool_volume_inside_${suffix}`), `${value(`tool_volume_inside_${suffix}`).toFixed(0)} mm³ of the tool inside`],
         ];
   const words = said.filter(([number]) => Number.isFinite(number)).map(([, text]) => text);
   const moved = recording.moved(frame).length;

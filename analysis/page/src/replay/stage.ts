@@ -20,6 +20,7 @@ export interface Stage {
   repaint(): void; // once the ground is in the page, and after a change of the theme
   /** Draws; the views' places are read from their elements. @param scale pixels of the picture for each of the page */
   draw(scale: number): void;
+  finish(): void; // returns when the renderer has drawn all
   turn(right: number, down: number): void; // pixels
   pan(right: number, down: number): void;
   zoom(factor: number): void;
@@ -73,6 +74,10 @@ export function makeStage(recordings: Recording[], places: HTMLElement[], ground
         renderer.clear();
         renderer.render(views[k]!.scene, camera);
       });
+    },
+    finish: () => {
+      const gl = renderer.getContext();
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // gl.finish() returns early in browsers
     },
     turn: (right, down) => turn(stage.orbit, -right * 0.4, down * 0.4),
     pan: (right, down) => pan(stage.orbit, camera, -right / unit(), down / unit()),
