@@ -1,4 +1,5 @@
-// Where frames take long (a machine without a graphics card), what moves is drawn coarser, and sharp again once it rests.
+// When frames are drawn: one after the other, never more than the renderer keeps up with. Where a frame takes long (a machine without
+// a graphics card), what moves is drawn coarser, and sharp again once it rests.
 
 const LONG = 70; // ms: more is no motion
 const REST = 250; // ms without a new frame
@@ -9,31 +10,42 @@ export interface Pace {
   stop(): void;
 }
 
-/** @param draw at a share of the full resolution; has to return only when the frame is there */
-export function makePace(draw: (share: number) => void): Pace {
+/** @param draw at a share of the full resolution @param finished when that frame is there */
+export function makePace(draw: (share: number) => void, finished: () => Promise<void>): Pace {
   let request = 0;
   let rest: ReturnType<typeof setTimeout> | undefined;
   let slow = false;
-  let last = -Infinity; // when a frame was asked for
-  const frame = (share: number) => {
+  let asked = -Infinity; // when a frame was asked for last
+  let moves = false;
+  let [busy, wanted, stopped] = [false, false, false];
+
+  function schedule(): void {
+    wanted = true;
+    if (busy || stopped) return;
+    cancelAnimationFrame(request);
+    request = requestAnimationFrame(() => void frame(slow && moves ? 0.5 : 1));
+  }
+
+  async function frame(share: number): Promise<void> {
+    [busy, wanted] = [true, false];
     const start = performance.now();
     draw(share);
-    const took = performance.now() - start;
-    if (share === 1) slow = took > LONG;
-  };
+    await finished();
+    busy = false;
+    if (share === 1) slow = performance.now() - start > LONG;
+    if (wanted) schedule();
+    else if (share < 1 && !stopped) rest = setTimeout(() => ((moves = false), schedule()), REST);
+  }
+
   return {
     ask: () => {
-      const moves = performance.now() - last < REST;
-      last = performance.now();
-      cancelAnimationFrame(request);
+      moves = performance.now() - asked < REST || busy;
+      asked = performance.now();
       clearTimeout(rest);
-      request = requestAnimationFrame(() => {
-        const coarse = slow && moves;
-        frame(coarse ? 0.5 : 1);
-        if (coarse) rest = setTimeout(() => frame(1), REST);
-      });
+      schedule();
     },
     stop: () => {
+      stopped = true;
       cancelAnimationFrame(request);
       clearTimeout(rest);
     },

@@ -89,9 +89,8 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
 
   const pace = makePace((share) => {
     stage.draw(share * devicePixelRatio);
-    stage.finish();
     body.dataset.drawn = String(shown.step);
-  });
+  }, stage.finished);
   const redraw = pace.ask;
   const tops = new Map<Field, number>();
   function update(): void {
