@@ -15,7 +15,7 @@ import numpy as np
 ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
 
 UNITS = {
-    "speed": "mm/s", "rate": "Hz", "depth_max_d_max": "mm", "drag_mean": "mm", "time_handle_p50": "ns",
+    "speed": "mm/s", "rate": "Hz", "depth_max_d_max": "mm", "drag_mean": "mm", "time_handle_p50": "ns", "time_handle_p99": "ns",
     "depth_max_h": "mm", "drag": "mm", "displacement_mean": "mm",
     "tool_volume_inside_d_max": "mm³", "tool_volume_at_rest_max": "mm³", "time_cycle_p50": "ns",
 }  # fmt: skip

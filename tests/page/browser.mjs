@@ -95,7 +95,7 @@ function watch(page) {
 /** main.ts says by data-view which address it shows. */
 function viewIsThere(page) {
   return page.waitForFunction(
-    () => document.querySelector("main[data-view]")?.dataset.view === (location.hash.slice(1) || "/"),
+    () => document.querySelector("main[data-view]")?.dataset.view === (location.hash.slice(1).split("?")[0] || "/"),
     undefined,
     { timeout: 60_000 },
   );

@@ -18,17 +18,15 @@ export interface Group extends Summary {
   keys: string[]; // a value of each column that groups
 }
 
-export function isComplete(cases: Cases, row: number): boolean {
-  return cases.text("status", row) === "complete";
-}
-
 export function summarise(cases: Cases, rows: number[], figure: string): Summary {
   const failed = new Map<string, number>();
   const lacking = new Map<string, number>();
   const values: number[] = [];
+  const status = cases.codes("status");
+  const complete = status.levels.indexOf("complete");
   for (const row of rows) {
     const value = cases.number(figure, row);
-    if (!isComplete(cases, row)) count(failed, cases.text("status", row));
+    if (status.codes[row] !== complete) count(failed, cases.text("status", row));
     else if (Number.isNaN(value)) count(lacking, cases.why(figure, row) || "no reason recorded");
     else values.push(value);
   }

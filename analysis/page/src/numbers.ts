@@ -1,9 +1,9 @@
 // Numbers as people read them.
 
-/** The unit to show values in, and the factor to it: times in ns become µs or ms. `largest` decides which. */
-export function readableUnit(unit: string, largest: number): { unit: string; factor: number } {
+/** The unit to show values in, and the factor to it: times in ns become µs or ms. `size`, of a large value, decides which. */
+export function readableUnit(unit: string, size: number): { unit: string; factor: number } {
   if (unit !== "ns") return { unit, factor: 1 };
-  return largest >= 1e6 ? { unit: "ms", factor: 1e-6 } : { unit: "µs", factor: 1e-3 };
+  return size >= 1e6 ? { unit: "ms", factor: 1e-6 } : { unit: "µs", factor: 1e-3 };
 }
 
 /** Three significant digits of a fraction, whole numbers as they are. */

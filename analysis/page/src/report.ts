@@ -21,6 +21,14 @@ export interface Column {
   why?: { levels: string[]; values: Block }; // why a case has no value, "" where it has one; absent when all have one
 }
 
+export interface Metric {
+  metric: string;
+  unit: string;
+  better: "low" | "high" | "neither" | ""; // "": the program did not say
+  words: string;
+  columns: string[];
+}
+
 export interface Report {
   title: string;
   file: string; // name of the result file
@@ -32,7 +40,8 @@ export interface Report {
   cases: number; // cases in the file
   labels: string[]; // of the strategies, in the order in which all charts and tables have them
   columns: Column[];
-  provenance: Record<string, string | number>[];
+  provenance: Record<string, string | number>[]; // each way in which cases were run; column provenance_row numbers them
+  glossary: Metric[];
   overview: Overview;
   series: SeriesIndex;
   replays: Replay[];

@@ -66,7 +66,7 @@ def lowest_median(main: dict) -> list[str]:
     how = "the two intervals overlap" if overlap(first, lowest) else "the two intervals do not overlap"
     if first["low"] is None:
         how = "there are too few seeds for intervals"
-    return [f"The best median is that of {lowest['label']}, {median(main, lowest)}; {how}."]
+    return [f"The best median is that of {lowest['label']}, {value_words(main, lowest)}; {how}."]
 
 
 def cost_in_time(main: dict, comparisons: list[dict]) -> list[str]:
@@ -82,7 +82,7 @@ def cost_in_time(main: dict, comparisons: list[dict]) -> list[str]:
     same = "; the two intervals overlap" if overlap(own, fastest) else ""
     left = row_of(main, fastest["label"])
     return [f"{words}. The fastest is {fastest['label']}, {value_words(times, fastest)}{same}; by the figure above its "
-            f"{median(main, left)}."]  # fmt: skip
+            f"median is {value_words(main, left)}."]  # fmt: skip
 
 
 def worse_in(label: str, comparisons: list[dict]) -> list[str]:
@@ -139,7 +139,7 @@ def median(comparison: dict, row: dict) -> str:
 def value_words(comparison: dict, row: dict) -> str:
     """The median and its interval."""
     shown = [said(number(row[name]) * comparison["factor"]) for name in ("median", "low", "high") if row[name] is not None]
-    interval = f" ({shown[1]}–{shown[2]})" if len(shown) == 3 else ""
+    interval = f" [{shown[1]}–{shown[2]}]" if len(shown) == 3 else ""
     return f"{shown[0]} {comparison['unit']}".rstrip() + interval
 
 

@@ -17,6 +17,7 @@ from .blocks import Blocks
 
 # Its reasons stand at the figures that lack values; provenance_rows.py has what the other one points at.
 LEFT_OUT = ("missing", "provenance_row")
+COMPLETE = "complete"
 
 
 def pack_columns(table: pd.DataFrame, file: ResultFile, better: dict[str, str], blocks: Blocks) -> list[dict]:
@@ -27,7 +28,7 @@ def pack_columns(table: pd.DataFrame, file: ResultFile, better: dict[str, str], 
     caution = warning(origins(table, file.provenance_table(), str(file.path)))
     columns = []
     for name in (name for name in table if name not in LEFT_OUT):
-        column = {"name": name, "unit": units.get(name, ""), "longName": words.get(name, ""), "role": role_of(name)}
+        column = {"name": name, "unit": units.get(name, ""), "longName": words.get(name, ""), "role": role_of(table[name])}
         column["better"] = better_way(name, better) if column["role"] == "figure" else None
         if name in CONDITIONS:
             column["part"] = "condition"
@@ -46,10 +47,10 @@ def pack_columns(table: pd.DataFrame, file: ResultFile, better: dict[str, str], 
     return columns
 
 
-def role_of(name: str) -> str:
-    if name in INPUTS:
+def role_of(column: pd.Series) -> str:
+    if column.name in INPUTS:
         return "input"
-    return "outcome" if name in OUTCOME else "figure"
+    return "figure" if is_numeric_dtype(column) and column.name not in OUTCOME else "outcome"
 
 
 def better_way(name: str, better: dict[str, str]) -> str | None:
@@ -68,19 +69,19 @@ def packed_values(block: str, values: pd.Series, blocks: Blocks) -> dict:
 
 def reasons_of(table: pd.DataFrame, figure: str) -> pd.Series:
     """Why each case has no value of a figure; "" where it has one. A case that did not complete says so by its status."""
-    why = pd.Series("", index=table.index)
-    lacking = table.index[table[figure].isna()]
+    lacking = table[table[figure].isna()]
     name = CASES.name_of(figure)
-    told = {key: table[key] if key in table else None for key in ("missing", "metrics", "window_steps", "status")}
-
-    def value(key: str, row: object, default: object) -> object:
-        return default if told[key] is None else told[key][row]
-
-    for row in lacking:
-        status = value("status", row, "complete")
-        why[row] = (
-            status
-            if status != "complete"
-            else reason(value("missing", row, ""), value("metrics", row, ""), value("window_steps", row, None), name)
-        )
+    told = [
+        lacking[column] if column in lacking else [default] * len(lacking)
+        for column, default in (("missing", ""), ("metrics", ""), ("window_steps", None), ("status", COMPLETE))
+    ]
+    known: dict[tuple, str] = {}
+    why = pd.Series("", index=table.index)
+    said = []
+    for key in zip(*told):
+        *of_figure, status = key
+        if key not in known:
+            known[key] = status if status != COMPLETE else reason(*of_figure, name)
+        said.append(known[key])
+    why[lacking.index] = said
     return why

@@ -12,7 +12,7 @@ from ..store import CONDITIONS, ResultFile
 from .blocks import Blocks
 
 GOLDEN = (5**0.5 - 1) / 2  # its multiples, modulo 1, fill 0 to 1 evenly however many are taken
-ENTRY = 60  # bytes of JSON that a case takes at least
+ENTRY = 130  # bytes that a case takes beside its values and entry: its id, twice, and its tag
 
 
 def pack_series(
@@ -37,13 +37,14 @@ def pack_series(
             "set": place_of([numbers[name] for name in series.names], index["sets"]),
             "missing": missing_entries(series.missing, index["reasons"]),
         }
-        before = blocks.size()
-        entry["values"] = blocks.add(f"series/{case_id}", series.values.astype(np.float32), "f4")
-        left -= blocks.size() - before + len(json.dumps(entry)) + ENTRY
-        index["cases"][case_id] = entry
-        if left <= 0:
+        own = Blocks()
+        entry["values"] = own.add(f"series/{case_id}", series.values.astype(np.float32), "f4")
+        left -= own.size() + len(json.dumps(entry)) + ENTRY
+        if left < 0:
             full = True
             break
+        blocks.take(own)
+        index["cases"][case_id] = entry
     return index, notes(len(index["cases"]), len(table), without, full)
 
 
@@ -57,7 +58,8 @@ def notes(packed: int, cases: int, without: int, full: bool) -> list[str]:
     if without and not packed:
         said.append("The result file has no series of its cases.")
     elif without:
-        said.append(f"{without} cases have no series in the result file.")
+        cases_have = "cases have" if without > 1 else "case has"
+        said.append(f"{without} {cases_have} no series in the result file.")
     return said
 
 

@@ -21,6 +21,7 @@ export interface ChartParts {
   title: string;
   unit: string;
   better: Better;
+  words?: string; // what the figure is
   note?: string; // such as what an interval means
   warning?: string; // what must not be missed, such as cases that are left out
   legend?: LegendEntry[];
@@ -54,6 +55,7 @@ export function makeFrame(): Frame {
     const drawn = parts.draw(width);
     if (drawn instanceof HTMLElement) return place.replaceChildren(drawn);
     const { svg, points } = drawn instanceof SVGSVGElement ? { svg: drawn, points: [] } : drawn;
+    for (const part of svg.querySelectorAll("[aria-label]")) part.removeAttribute("aria-label"); // the drawing is one picture
     svg.setAttribute("role", "img");
     const keys = points.length ? " Arrow keys go from point to point." : "";
     svg.setAttribute("aria-label", `${parts.title}, ${unitWords(parts)}.${keys}`);
@@ -91,7 +93,7 @@ function headingOf(parts: ChartParts, drawing: () => SVGSVGElement | null): Node
     const copy = svg.cloneNode(true) as SVGSVGElement;
     copy.querySelector(".hover-ring")?.remove();
     const note = [parts.warning, parts.note].filter(Boolean).join(" ");
-    const picture = { lines: [parts.title, unitWords(parts)], legend: parts.legend ?? [], drawing: copy, note };
+    const picture = { lines: [parts.title, unitWords(parts), parts.words ?? ""], legend: parts.legend ?? [], drawing: copy, note };
     saveFile(`${parts.name}.svg`, "image/svg+xml", svgText(picture));
   };
   const saveCsv = () => saveFile(`${parts.name}.csv`, "text/csv", parts.csv());
@@ -100,6 +102,7 @@ function headingOf(parts: ChartParts, drawing: () => SVGSVGElement | null): Node
     { class: "chart-words" },
     h("span", { class: "chart-title" }, parts.title),
     h("span", { class: "chart-unit" }, unitWords(parts)),
+    ...(parts.words ? [h("span", { class: "chart-unit" }, parts.words)] : []),
   );
   const buttons = h(
     "div",

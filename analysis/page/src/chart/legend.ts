@@ -20,7 +20,7 @@ const LETTER = 6.6; // px
 /** A line with its mark, as the charts draw it. */
 export function swatch({ colour, dash, symbol }: SeriesStyle): SVGSVGElement {
   const shared = { x: [0], y: [0], symbol, stroke: colour, fill: colour, r: 3.5 };
-  return Plot.plot({
+  const drawn = Plot.plot({
     width: SWATCH,
     height: 12,
     margin: 0,
@@ -33,14 +33,14 @@ export function swatch({ colour, dash, symbol }: SeriesStyle): SVGSVGElement {
       Plot.dot([0], shared),
     ],
   }) as SVGSVGElement;
+  drawn.querySelector("style")?.remove(); // else it would be part of the name of a button
+  for (const part of drawn.querySelectorAll("[aria-label]")) part.removeAttribute("aria-label");
+  drawn.setAttribute("aria-hidden", "true"); // the label stands beside it
+  return drawn;
 }
 
 export function legend(entries: LegendEntry[]): HTMLElement {
-  const item = ({ label, style }: LegendEntry) => {
-    const drawn = swatch(style);
-    drawn.setAttribute("aria-hidden", "true");
-    return h("li", {}, drawn, label);
-  };
+  const item = ({ label, style }: LegendEntry) => h("li", {}, swatch(style), label);
   return h("ul", { class: "legend", "aria-label": "strategies" }, ...entries.map(item));
 }
 

@@ -71,12 +71,11 @@ function selfContained(page: SVGSVGElement): string {
       const parent = element.parentElement && getComputedStyle(element.parentElement).getPropertyValue(name);
       if (value !== parent || element.hasAttribute(name)) element.setAttribute(name, value);
     }
-    for (const name of INHERITED) element.style.removeProperty(name);
-    element.removeAttribute("class");
-    if (element.localName === "style") element.textContent = "";
+    if (element.localName === "svg") element.setAttribute("overflow", "visible");
   }
   place.remove();
   for (const style of page.querySelectorAll("style")) style.remove();
+  for (const element of page.querySelectorAll("*")) for (const name of ["style", "class"]) element.removeAttribute(name);
   return new XMLSerializer().serializeToString(page);
 }
 

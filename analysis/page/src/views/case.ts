@@ -9,7 +9,7 @@ import { h } from "../dom";
 import { counted } from "../numbers";
 import type { Page, View } from "../view";
 import { caseList } from "./case/case_list";
-import { rerunArguments, shellText, sweepFile, words } from "./case/command";
+import { rerunArguments, shellText, sweepFile, UNKNOWN } from "./case/command";
 import { seriesPanel, type SeriesPanel } from "./case/series_panel";
 import { siblingsOf } from "./case/siblings";
 
@@ -87,13 +87,27 @@ function outcome({ cases }: Page, row: number): HTMLElement {
   return h("p", {}, badge, reason ? ` ${reason}` : "");
 }
 
+const LONG = 60; // letters: what is longer has a line of its own
+
 function list(entries: [string, string][]): HTMLElement {
-  return h("dl", { class: "facts" }, ...entries.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
+  const entry = ([name, value]: [string, string]) => h("div", value.length > LONG ? { class: "long" } : {}, h("dt", {}, name), h("dd", {}, value.replaceAll(",", ",\u200b")));
+  return h("dl", { class: "facts" }, ...entries.map(entry));
 }
 
-function conditions({ cases }: Page, row: number): HTMLElement {
-  const inputs = [...cases.columns.values()].filter(({ role, name }) => role !== "figure" && !["case_id", "label", "status", "reason", "provenance_row"].includes(name));
-  return list(inputs.map(({ name, unit }) => [name, `${cases.text(name, row) || "–"}${unit ? ` ${unit}` : ""}`]));
+const ELSEWHERE = ["case_id", "label", "status", "reason", "options", "provenance_row"];
+
+/** The conditions and the strategy with its options: what makes this case another one than the others. */
+function conditions(page: Page, row: number): HTMLElement {
+  const { cases } = page;
+  const given = cases.columns.has("options") ? Object.entries(JSON.parse(cases.text("options", row) || "{}") as Record<string, unknown>) : [];
+  const names = ["strategy", ...[...cases.columns.values()].filter(({ part }) => part === "condition").map(({ name }) => name)];
+  const options = given.map(([name, value]): [string, string] => [`option ${name}`, typeof value === "string" ? value.split("\n")[0]! : JSON.stringify(value)]);
+  return list([...names.filter((name) => cases.columns.has(name)).map((name) => fact(page, name, row)), ...options]);
+}
+
+function fact({ cases }: Page, name: string, row: number): [string, string] {
+  const unit = cases.columns.get(name)!.unit;
+  return [name, `${cases.text(name, row) || "–"}${unit ? ` ${unit}` : ""}`];
 }
 
 function siblingTable(page: Page, row: number, siblings: number[]): HTMLElement {
@@ -106,7 +120,6 @@ function siblingTable(page: Page, row: number, siblings: number[]): HTMLElement 
     const status = cases.text("status", other);
     const name = other === row ? h("strong", {}, `${label} (this case)`) : h("a", { href: `#/case/${ids[k]}` }, label);
     const mark = swatch(styleOfLabel(report.labels, label));
-    mark.setAttribute("aria-hidden", "true");
     const notes = [status === "complete" ? "" : status, report.series.cases[ids[k]!] ? "" : "series not in this report"].filter(Boolean).join(", ");
     return h("li", {}, mark, name, ...(notes ? [h("span", { class: "chart-note" }, ` ${notes}`)] : []));
   });
@@ -129,14 +142,18 @@ function command(page: Page, row: number): HTMLElement {
       said.textContent = "selected: copy it with Ctrl+C";
     }
   };
-  const code = h("code", { class: "command", tabindex: 0 }, text);
-  const file = sweepFile(words(line));
-  const save = () => saveFile(file.split("/").at(-1)!, "text/plain", report.sweepToml);
+  const breaks = text.split(/ (?=-)/); // a line ends in front of an option, not within it
+  const code = h("code", { class: "command" }, ...breaks.flatMap((word, k) => [k ? " " : "", h("span", { class: "word" }, word)]));
+  const file = sweepFile(line);
+  const save = () => saveFile((file ?? UNKNOWN).split("/").at(-1)!, "text/plain", report.sweepToml);
+  const where = file
+    ? `From the folder in which the sweep was run, where ${file} is. Another program, or a changed sweep file, may run another case: its case_id says so.`
+    : `The cases are of no one sweep file (${line || "the result file does not say how they were run"}): put in place of ${UNKNOWN} the one that has this case.`;
   return h(
     "div",
     {},
     h("div", { class: "command-line" }, code, h("button", { type: "button", class: "plain", click: () => void copy() }, "Copy"), said),
-    h("p", { class: "chart-note" }, `From the folder in which the sweep was run, where ${file} is. Another program, or a changed sweep file, may run another case: its case_id says so. Add --replay to record it. `, ...(report.sweepToml ? [h("button", { type: "button", class: "plain", click: save }, "Save the sweep file")] : [])),
+    h("p", { class: "chart-note" }, `${where} Add --replay to record it. `, ...(report.sweepToml ? [h("button", { type: "button", class: "plain", click: save }, file ? "Save the sweep file" : "Save its sweeps")] : [])),
   );
 }
 
@@ -161,7 +178,8 @@ function provenanceOf({ report, cases }: Page, row: number): Record<string, stri
 }
 
 function provenance(page: Page, row: number): HTMLElement {
-  const found = provenanceOf(page, row);
-  if (!found) return h("p", {}, "The result file does not say how this case was run.");
-  return list(Object.entries(found).filter(([name]) => name !== "case_id" && name !== "cases").map(([name, value]) => [name, String(value)]));
+  const others = [...page.cases.columns.values()].filter(({ role, part, name }) => role !== "figure" && !part && name !== "strategy" && !ELSEWHERE.includes(name));
+  const way = Object.entries(provenanceOf(page, row) ?? {}).filter(([name]) => name !== "case_id" && name !== "cases");
+  const facts = list([...others.map(({ name }) => fact(page, name, row)), ...way.map(([name, value]): [string, string] => [name, String(value)])]);
+  return way.length ? facts : h("div", {}, facts, h("p", {}, "The result file does not say which program on which machine ran this case."));
 }

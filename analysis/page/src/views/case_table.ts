@@ -37,8 +37,9 @@ export function caseTable(page: Page, rows: number[], figures: string[] = []): H
   const on = h("button", { type: "button", class: "plain", click: () => turn(PAGE) }, "on →");
   turn(0);
   const unit = (name: string) => (cases.columns.get(name)!.unit ? `, ${cases.columns.get(name)!.unit}` : "");
-  const head = ["case", ...columns.map((name) => (name === "label" ? "strategy" : name + unit(name)))];
-  const table = h("table", { class: "cases" }, h("thead", {}, h("tr", {}, ...head.map((name) => h("th", { scope: "col" }, name)))), body);
+  const title = (name: string) => h("th", { scope: "col", ...(cases.columns.get(name)!.levels ? {} : { class: "number" }) }, name === "label" ? "strategy" : name + unit(name));
+  const head = [h("th", { scope: "col" }, "case"), ...columns.map(title)];
+  const table = h("table", { class: "cases" }, h("thead", {}, h("tr", {}, ...head)), body);
   const scroll = h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": "cases" }, table);
   return h("div", { class: "case-table" }, scroll, ...(rows.length > PAGE ? [h("p", { class: "pager" }, back, place, on)] : []));
 }

@@ -6,19 +6,21 @@ import type { Report } from "../../report";
 // What `trocar run --only` chooses cases by. A label is one strategy's with its options, and belongs to no other of the sweep.
 const KEYS = ["label", "organ", "tool", "scene", "speed", "rate", "release", "edge_stiffness", "rest_stiffness", "seed"];
 
+/** What stands for a sweep file that is not known. */
+export const UNKNOWN = "SWEEP.toml";
+
 /** The arguments of the program. Conditions that all cases of the whole sweep share are left out. */
 export function rerunArguments(report: Report, cases: Cases, row: number, commandLine: string): string[] {
   const isWhole = report.planned === cases.count;
   const known = KEYS.filter((key) => cases.columns.has(key));
   const wanted = known.filter((key) => !isWhole || cases.codes(key).levels.length > 1);
-  const given = words(commandLine);
-  const metrics = given.indexOf("--metrics");
+  const metrics = /\s--metrics[ =](\S+)/.exec(commandLine)?.[1];
   return [
     "trocar",
     "run",
-    sweepFile(given),
+    sweepFile(commandLine) ?? UNKNOWN,
     ...wanted.flatMap((key) => ["--only", `${key}=${valueOf(cases, key, row)}`]),
-    ...(metrics >= 0 ? ["--metrics", given[metrics + 1]!] : []),
+    ...(metrics ? ["--metrics", metrics] : []),
     "-o",
     `case-${cases.text("case_id", row).slice(0, 8)}.h5`,
   ];
@@ -29,15 +31,11 @@ export function shellText(words: string[]): string {
   return words.map((word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", `'\\''`)}'`)).join(" ");
 }
 
-/** The sweep file that the recorded command line names. */
-export function sweepFile(words: string[]): string {
-  const run = words.indexOf("run");
-  return words.slice(run + 1).find((word) => word.endsWith(".toml")) ?? "sweep.toml";
-}
-
-/** The words of a recorded command line. */
-export function words(line: string): string[] {
-  return [...line.matchAll(/'((?:[^']|'\\'')*)'|(\S+)/g)].map(([, quoted, plain]) => quoted?.replaceAll(`'\\''`, "'") ?? plain!);
+/** The sweep file that a recorded command line names; undefined where the cases are of no one file, as those of `reproduce`.
+ * Words of the line have one space between them, and a file's name may have some: it stands in front of the options, or is a word. */
+export function sweepFile(commandLine: string): string | undefined {
+  const [, after] = /(?:^|\s)run\s+(.*)$/.exec(commandLine) ?? [];
+  return /^([^-].*?\.toml)(?:\s|$)/.exec(after ?? "")?.[1] ?? /(?:^|\s)(\S+\.toml)(?:\s|$)/.exec(after ?? "")?.[1];
 }
 
 function valueOf(cases: Cases, key: string, row: number): string {

@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import { computedColour } from "../../chart/palette";
-import { readableUnit, short } from "../../numbers";
+import { short } from "../../numbers";
 
 export interface Line {
   label: string;
@@ -13,8 +13,8 @@ export interface Line {
 }
 
 export interface SeriesChart {
-  name: string;
-  unit: string;
+  unit: string; // in which values are shown
+  factor: number; // from the stored unit to it
   time: Float64Array;
   lines: Line[];
   judged: [number, number][]; // ranges of time that the figures cover
@@ -26,9 +26,7 @@ export function drawSeries(place: HTMLElement, chart: SeriesChart, cursor: strin
   const ink = computedColour("var(--chart-faint)");
   const rule = computedColour("var(--chart-rule)");
   const band = computedColour("var(--chart-panel)");
-  let largest = 0;
-  for (const { values } of chart.lines) for (const value of values) if (Math.abs(value) > largest) largest = Math.abs(value);
-  const { unit, factor } = readableUnit(chart.unit, largest);
+  const { unit, factor } = chart;
   const padded = ({ values }: Line) => Array.from(chart.time, (_, k) => (k < values.length && !Number.isNaN(values[k]!) ? values[k]! * factor : null));
   const axis = { stroke: ink, grid: { stroke: rule, width: 1 }, ticks: { stroke: rule, width: 1, size: 4 }, font: "11px system-ui, sans-serif" };
   return new uPlot(

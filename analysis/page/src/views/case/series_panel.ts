@@ -5,7 +5,7 @@ import "uplot/dist/uPlot.min.css";
 import { styleOfLabel } from "../../chart/palette";
 import { swatch } from "../../chart/legend";
 import { h } from "../../dom";
-import { short } from "../../numbers";
+import { readableUnit, short } from "../../numbers";
 import type { Page } from "../../view";
 import { readSeries, type Series } from "../series_data";
 import { drawSeries, type Line } from "./series_chart";
@@ -45,18 +45,19 @@ export async function seriesPanel(page: Page, caseIds: string[]): Promise<Series
     plots.splice(0).forEach((plot) => plot.destroy());
     charts.replaceChildren();
     for (const series of all.filter(({ name }) => chosen.has(name))) {
+      const lines = linesOf(page, members, over, series.name);
+      const { unit, factor } = readableUnit(series.unit, largestOf(lines));
       const place = h("div", { class: "series-plot" });
-      const lines = h("div", { class: "series-chart" }, h("h3", { title: series.longName }, series.name, h("small", {}, unitOf(series))), h("p", { class: "chart-note" }, series.longName), place, ...missingWords(series, time));
-      charts.append(lines);
-      plots.push(drawSeries(place, { name: series.name, unit: series.unit, time, lines: linesOf(page, members, over, series.name), judged: judgedRanges(own!, time) }, CURSOR, Math.max(220, place.clientWidth)));
+      const title = h("h3", {}, series.name, h("small", {}, unit));
+      charts.append(h("div", { class: "series-chart" }, title, h("p", { class: "chart-note" }, series.longName), place, ...missingWords(series, time)));
+      plots.push(drawSeries(place, { unit, factor, time, lines, judged: judgedRanges(own!, time) }, CURSOR, Math.max(220, place.clientWidth)));
     }
     if (!chosen.size) charts.append(h("p", { class: "empty" }, "No series is chosen: choose some above."));
   };
   const point = () => {
     const step = Number(slider.value);
     readout.textContent = `step ${step}, ${short(time[step] ?? NaN)} s`;
-    const plot = plots[0];
-    if (plot) plot.setCursor({ left: plot.valToPos(time[step]!, "x"), top: 10 });
+    for (const plot of plots) plot.setCursor({ left: plot.valToPos(time[step]!, "x"), top: 10 });
   };
   slider.addEventListener("input", point);
   const resized = new ResizeObserver(() => {
@@ -90,11 +91,15 @@ export async function seriesPanel(page: Page, caseIds: string[]): Promise<Series
 const FIRST_NAMES = ["tool_volume_inside_d", "depth_max_d", "facets_crossing_d", "displacement_mean", "collided_vertices", "time_handle"];
 
 function firstOf(all: Series[]): Series[] {
-  const known = all.filter(({ name }) => FIRST_NAMES.includes(name));
-  return known.length ? known : all.slice(0, FIRST);
+  const isUsual = ({ name }: Series) => FIRST_NAMES.includes(name);
+  return [...all.filter(isUsual), ...all.filter((series) => !isUsual(series))].slice(0, FIRST);
 }
 
-const unitOf = ({ unit }: Series) => (unit === "ns" ? " µs or ms" : unit ? ` ${unit}` : "");
+function largestOf(lines: Line[]): number {
+  let largest = 0;
+  for (const { values } of lines) for (const value of values) if (Math.abs(value) > largest) largest = Math.abs(value);
+  return largest;
+}
 
 function linesOf(page: Page, members: Member[], over: Set<string>, name: string): Line[] {
   return members
@@ -142,7 +147,6 @@ function missingWords(series: Series, time: Float64Array): HTMLElement[] {
 function memberChips(page: Page, members: Member[], over: Set<string>, draw: () => void): HTMLElement {
   const chips = members.slice(1).map(({ caseId, label }) => {
     const mark = swatch(styleOfLabel(page.report.labels, label));
-    mark.setAttribute("aria-hidden", "true");
     return toggle([mark, label], over, caseId, draw);
   });
   return h("fieldset", { class: "chips" }, h("legend", {}, "beside it, under the same conditions"), ...chips);

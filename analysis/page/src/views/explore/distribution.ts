@@ -22,7 +22,7 @@ export function distribution(shown: Shown): ChartParts {
     title: `Distribution of ${state.figure} over the cases`,
     unit: shown.unit,
     better: column.better,
-    note: "A curve rises at a value by the share of its strategy's complete cases that have it. All conditions that the filters leave are in it.",
+    note: "A curve rises at a value by the share of its strategy's complete cases that have it. All conditions that the filters leave are in it." + (state.scale === "log" ? " On a logarithmic scale it begins above 0, at the share that is at 0 or below." : ""),
     warning: out && `Not in any curve: ${out}.`,
     legend: legendOf(page.report.labels, shown.labels),
     draw: (width) => draw(shown, groups, width),

@@ -22,7 +22,6 @@ export function filterBar(cases: Cases, labels: string[], change: (filters: Filt
       const button = h("button", { type: "button", class: "chip", "aria-pressed": "false", click: () => change(toggled(shown, column, value)) });
       if (column === "label") {
         const mark = swatch(styleOfLabel(labels, value));
-        mark.setAttribute("aria-hidden", "true");
         button.append(mark);
       }
       button.append(value || "(none)");

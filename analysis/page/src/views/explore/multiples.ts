@@ -34,12 +34,13 @@ export function multiples(shown: Shown): ChartParts {
   const panels = { ...all, panels: all.panels.slice(0, MOST_PANELS) };
   const split = [state.down, state.across, state.x].filter(Boolean);
   const over = pooled(shown, split);
-  const log = state.scale === "log" ? " A logarithmic scale has no place for values of 0 and below." : "";
-  const how = state.form === "medians" ? "Points are medians over complete cases, bars their quartiles." : "A dot is a complete case, a bar its group's quartiles, a line across it the median.";
+  const log = state.scale === "log" ? " A logarithmic scale has no place for values of 0 and below: a panel says how many there are." : "";
+  const how = state.form === "medians" ? "Points are medians over complete cases, bars their quartiles." : "A dot is a complete case, a bar its group's quartiles, the mark on it the median.";
   const out = leftOut(together(all.panels.flatMap(({ groups }) => groups)));
   return {
     name: `${state.figure}-by-${split.join("-") || "strategy"}`,
-    title: `${state.figure}${state.x ? ` by ${state.x}` : ""}: ${column.longName || "figure"}`,
+    title: `${state.figure}${state.x ? ` by ${state.x}` : ""}`,
+    words: column.longName,
     unit: shown.unit,
     better: column.better,
     note: `${how}${over ? ` Over ${over}.` : ""}${log} A click on a point lists its cases.`,
@@ -114,7 +115,7 @@ function marksOf(shown: Shown, { xs }: Panels, place: Placed[], { turned, stacke
       fx: "fx", fy: "fy", x: "k", text: "x", frameAnchor: "bottom", dy: 8, fill: "var(--chart-faint)",
       ...(turned ? { rotate: -38, textAnchor: "end" as const, lineAnchor: "middle" as const } : { lineAnchor: "top" as const }),
     }),
-    Plot.text(place.filter(({ panel }) => panel.leftOut), { fx: "fx", fy: "fy", text: ({ panel }: Placed) => counts(panel), frameAnchor: "top-right", dx: -4, dy: 5, lineAnchor: "top", fill: "var(--chart-warning)", stroke: "var(--chart-background)", strokeWidth: 3 }),
+    Plot.text(place.filter(({ panel }) => counts(panel, isLog)), { fx: "fx", fy: "fy", text: ({ panel }: Placed) => counts(panel, isLog), frameAnchor: "top-right", dx: -4, dy: 5, lineAnchor: "top", fill: "var(--chart-warning)", stroke: "var(--chart-background)", strokeWidth: 3 }),
     Plot.text(place.filter(({ panel }) => !panel.groups.some(({ values }) => values.length)), { fx: "fx", fy: "fy", text: () => "no value", frameAnchor: "middle", fill: "var(--chart-faint)" }),
   ];
   labels.forEach((label, number) => {
@@ -137,9 +138,10 @@ function marksOf(shown: Shown, { xs }: Panels, place: Placed[], { turned, stacke
 }
 
 /** "2 failed, 3 no value" in the corner of a panel; the line below the chart says why. */
-function counts(panel: Panel): string {
+function counts(panel: Panel, isLog: boolean): string {
   const { failed, lacking } = together(panel.groups);
-  return [failed.size && `${total(failed)} failed`, lacking.size && `${total(lacking)} no value`].filter(Boolean).join(", ");
+  const low = isLog ? panel.groups.reduce((sum, { values }) => sum + values.filter((value) => value <= 0).length, 0) : 0;
+  return [failed.size && `${total(failed)} failed`, lacking.size && `${total(lacking)} no value`, low && `${low} at 0 or below`].filter(Boolean).join(", ");
 }
 
 function pointsOf(shown: Shown, place: Placed[], svg: SVGSVGElement, labels: string[]): Point[] {
@@ -192,8 +194,10 @@ export function jitter(row: number): number {
 
 function casesOf(shown: Shown, group: PanelGroup): { row: number; value: number }[] {
   const { cases } = shown.page;
+  const status = cases.codes("status");
+  const complete = status.levels.indexOf("complete");
   return group.rows
-    .filter((row) => cases.text("status", row) === "complete")
+    .filter((row) => status.codes[row] === complete)
     .map((row) => ({ row, value: cases.number(shown.state.figure, row) }))
     .filter(({ value }) => Number.isFinite(value));
 }

@@ -15,9 +15,11 @@ export interface Pairing {
 }
 
 export function pairsOf(cases: Cases, rows: number[], figure: string, a: string, b: string): Pairing {
-  const conditions = [...cases.columns.values()].filter(({ part }) => part === "condition").map(({ name }) => cases.codes(name).codes);
-  const place = (row: number) => conditions.map((codes) => codes[row]).join();
-  const of = (label: string) => rows.filter((row) => cases.text("label", row) === label);
+  const conditions = [...cases.columns.values()].filter(({ part }) => part === "condition").map(({ name }) => cases.codes(name));
+  const differing = conditions.filter(({ levels }) => levels.length > 1);
+  const place = (row: number) => differing.map(({ codes }) => codes[row]).join();
+  const labels = cases.codes("label");
+  const of = (label: string) => rows.filter((row) => labels.codes[row] === labels.levels.indexOf(label));
   const partners = new Map(of(b).map((row) => [place(row), row]));
   const pairing: Pairing = { pairs: [], leftOut: new Map() };
   const leave = (why: string) => count(pairing.leftOut, why);

@@ -1,7 +1,7 @@
 // What every chart of the explore view is drawn from.
 
 import type { Page } from "../../view";
-import { readableUnit } from "../../numbers";
+import { quantile, readableUnit } from "../../numbers";
 import type { Column } from "../../report";
 import type { ExploreState } from "./state";
 
@@ -19,15 +19,12 @@ export interface Shown {
 export function shownOf(page: Page, state: ExploreState, rows: number[], choose: Shown["choose"]): Shown {
   const { cases, report } = page;
   const column = cases.columns.get(state.figure)!;
-  const present = new Set<string>();
-  let largest = 0;
-  for (const row of rows) {
-    present.add(cases.text("label", row));
-    const value = Math.abs(cases.number(state.figure, row));
-    if (value > largest && Number.isFinite(value)) largest = value;
-  }
-  const { unit, factor } = readableUnit(column.unit, largest);
-  return { page, state, rows, column, labels: report.labels.filter((label) => present.has(label)), unit, factor, choose };
+  const { levels, codes } = cases.codes("label");
+  const present = levels.map(() => false);
+  for (const row of rows) present[codes[row]!] = true;
+  const values = Float64Array.from(rows, (row) => cases.number(state.figure, row)).filter(Number.isFinite).sort();
+  const { unit, factor } = readableUnit(column.unit, quantile(values, 0.9));
+  return { page, state, rows, column, labels: report.labels.filter((label) => present[levels.indexOf(label)]), unit, factor, choose };
 }
 
 /** A value in full, with its unit. */
@@ -45,7 +42,9 @@ export function conditionWords(page: Page, column: string, value: string): strin
 /** What cases are pooled over that no chart tells apart: "2 values of release, 5 of seed". */
 export function pooled(shown: Shown, apart: string[]): string {
   const { cases } = shown.page;
-  const names = [...cases.columns.values()].filter(({ part, name }) => part === "condition" && !apart.includes(name)).map(({ name }) => name);
+  const names = [...cases.columns.values()]
+    .filter(({ part, name }) => part === "condition" && !apart.includes(name) && cases.codes(name).levels.length > 1)
+    .map(({ name }) => name);
   const several = names
     .map((name) => {
       const { codes } = cases.codes(name);

@@ -1,0 +1,21 @@
+// A text that a button copies.
+
+import { h } from "../dom";
+
+/** @param name what it is, for who cannot see it */
+export function copyable(text: string, name: string): HTMLElement {
+  const status = h("span", { class: "copied", role: "status" });
+  const shown = h("pre", { tabindex: 0, role: "region", "aria-label": name }, text);
+  const copy = async () => {
+    try {
+      await navigator.clipboard.writeText(text);
+      status.textContent = "copied";
+    } catch {
+      // Some browsers give a page that is a file no clipboard: what is to be copied is selected.
+      getSelection()?.selectAllChildren(shown);
+      status.textContent = "selected: press Ctrl+C";
+    }
+  };
+  const button = h("button", { type: "button", class: "plain", click: () => void copy(), "aria-label": `Copy ${name}` }, "Copy");
+  return h("div", { class: "copyable" }, shown, h("div", { class: "copyable-side" }, button, status));
+}
