@@ -61,7 +61,7 @@ def panels_over(over: str, figure: Figure, cases: Cases, used: pd.DataFrame, lab
 
 def line_of(label: str, number: int, shift: float = 0) -> Line:
     """How a strategy is drawn; `number` in the order of the file. Twelve are told apart in grey."""
-    is_filled = number // len(palette.MARKERS) % 2 == 0
+    is_filled = (number + number // len(palette.MARKERS)) % 2 == 0  # neighbours differ, and so do those of one mark
     return Line(label, {"label": label}, palette.series(number), palette.marker(number), palette.dashes(number), is_filled,
                 float(shift))  # fmt: skip
 

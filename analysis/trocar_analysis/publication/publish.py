@@ -11,13 +11,13 @@ from ..critical_difference import compose as compose_ranks
 from ..errors import InputError
 from ..front import Wishes as FrontWishes
 from ..front import front_of
-from ..rank import BETTER
+from ..rank import BETTER, counted
 from .captions import caption_front, caption_over, caption_ranks, caption_table, notes_of_table
+from .chosen import AGAINST, conditions_that_vary, figures_of
 from .comparison import Compared, compare_strategies, without_path
 from .files import file_name, make_folder, save_picture, save_text
 from .latex import latex
 from .latex_table import table_text, unit_of
-from .chosen import AGAINST, conditions_that_vary, figures_of
 from .panels import compose, panels_over
 
 FOLDER = "\\TrocarFolder"  # in LaTeX: where the files are, from where LaTeX runs
@@ -77,7 +77,8 @@ def publish(path: str, output: str, asked: Wishes) -> list[str]:
     save_text(pages.folder, "figures.tex", index_text(pages.index, Path(path).name))
     save_text(pages.folder, "preview.tex", PREVIEW)
     return [
-        f"{output}: {pages.pictures} pictures (SVG and PDF) and {pages.tables} tables of {len(cases.table)} cases; "
+        f"{output}: {counted(pages.pictures, 'picture')} (SVG and PDF) and {counted(pages.tables, 'table')} of "
+        f"{counted(len(cases.table), 'case')}; "
         "figures.tex takes in all of them, preview.tex is a document of them",
         *dict.fromkeys(said),
     ]
