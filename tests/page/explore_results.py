@@ -5,7 +5,6 @@ value where the organ is a sheet and the seed 1, and one case diverged. Cases of
 
 from __future__ import annotations
 
-import json
 import math
 import sys
 from pathlib import Path

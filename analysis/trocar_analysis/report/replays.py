@@ -18,10 +18,10 @@ from .contact import Contact, contact
 from .frames import LEAST, kept_steps
 from .lattice import SPACING, changes, lattice_of, narrowest, reachable
 
-# Series that the replay prints, with what they are called there, by the moment that they are of.
+# Series whose values the replay prints.
 PRINTED = (
-    "collided_vertices", "depth_max_h", "depth_max_d", "facets_crossing_h", "facets_crossing_d", "vertices_inside_h",
-    "vertices_inside_d", "displacement_crossings", "displacement_max",
+    "collided_vertices", "depth_max_h", "depth_max_d", "facets_crossing_h", "facets_crossing_d", "tool_volume_inside_h",
+    "tool_volume_inside_d",
 )  # fmt: skip
 
 SAFETY = 0.95  # of the budget is aimed at: thinner replays take a little more for each step

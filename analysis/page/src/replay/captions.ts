@@ -9,7 +9,7 @@ export const MOMENT_WORDS: Record<Moment, string> = {
   deformed: "after deformation",
 };
 
-/** Such as "deepest 0.53 mm" and "37 facets crossing". A value that the file does not have is left out. */
+/** Such as "deepest 0.53 mm" and "37 facets cross": README.md beside this file says what they are. A value that the file does not have is left out. */
 export function facts(recording: Recording, frame: number, moment: Moment): string[] {
   const value = (series: string) => recording.value(series, frame);
   const suffix = moment === "handled" ? "h" : "d";
@@ -17,12 +17,13 @@ export function facts(recording: Recording, frame: number, moment: Moment): stri
     moment === "found"
       ? [[value("collided_vertices"), plural(value("collided_vertices"), "vertex", "vertices") + " in the tool"]]
       : [
-          [value(`depth_max_${suffix}`), `deepest vertex ${value(`depth_max_${suffix}`).toFixed(2)} mm`],
-          [value(`facets_crossing_${suffix}`), plural(value(`facets_crossing_${suffix}`), "facet", "facets") + " crossing"],
+          [value(`depth_max_${suffix}`), `deepest ${value(`depth_max_${suffix}`).toFixed(2)} mm`],
+          [value(`facets_crossing_${suffix}`), plural(value(`facets_crossing_${suffix}`), "facet crosses", "facets cross")],
+          [value(`tool_volume_inside_${suffix}`), `${value(`tool_volume_inside_${suffix}`).toFixed(0)} mm³ inside`],
         ];
   const words = said.filter(([number]) => Number.isFinite(number)).map(([, text]) => text);
   const moved = recording.moved(frame).length;
-  return [...words, `${moved} moved`];
+  return [...words, `${moved} moved`].map((fact) => fact.replaceAll(" ", "\u00a0")); // lines break between them
 }
 
 /** Why a view stands still: its case ended before this step. */

@@ -10,6 +10,7 @@ import type { Colors } from "./colors";
 import { verticesAt, type Recording } from "./recording";
 
 const UP = new Vector3(0, 1, 0);
+const HEAD = 3.5; // length of an arrow's head, sizes of the marks
 
 export interface MarksView {
   group: Group;
@@ -48,8 +49,9 @@ export function marksView(recording: Recording, size: number): MarksView {
       balls.count = shown.hidden.includes("moved") ? 0 : moved.length;
       rods.count = tips.count = shown.hidden.includes("vectors") ? 0 : moved.length;
       const [start, way] = [new Vector3(), new Vector3()];
+      const radius = 0.7 * size;
       moved.forEach((vertex, k) => {
-        balls.setMatrixAt(k, new Matrix4().makeScale(size, size, size).setPosition(start.fromArray(positions, 3 * vertex)));
+        balls.setMatrixAt(k, new Matrix4().makeScale(radius, radius, radius).setPosition(start.fromArray(positions, 3 * vertex)));
         arrow(rods, tips, k, start.fromArray(found, 3 * vertex), way.fromArray(by, 3 * k), size);
       });
       for (const one of [balls, rods, tips]) one.instanceMatrix.needsUpdate = true;
@@ -82,10 +84,10 @@ function instances<Shape extends IcosahedronGeometry | CylinderGeometry>(shape: 
 /** From start along way: its head ends where the vertex went, and is shorter where the way is short. */
 function arrow(rods: InstancedMesh, tips: InstancedMesh, k: number, start: Vector3, way: Vector3, size: number): void {
   const length = way.length();
-  const head = Math.min(3 * size, 0.5 * length);
+  const head = Math.min(HEAD * size, 0.5 * length);
   const turn = new Quaternion().setFromUnitVectors(UP, length > 0 ? way.clone().divideScalar(length) : UP);
-  const width = (head / (3 * size)) || 1e-6;
+  const width = head / (HEAD * size) || 1e-6;
   const rod = new Vector3(0.28 * size * width, Math.max(length - head, 1e-6), 0.28 * size * width);
   rods.setMatrixAt(k, new Matrix4().compose(start, turn, rod));
-  tips.setMatrixAt(k, new Matrix4().compose(start.clone().add(way), turn, new Vector3(size * width, head || 1e-6, size * width)));
+  tips.setMatrixAt(k, new Matrix4().compose(start.clone().add(way), turn, new Vector3(1.3 * size * width, head || 1e-6, 1.3 * size * width)));
 }

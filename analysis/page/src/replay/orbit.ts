@@ -15,7 +15,7 @@ export interface Orbit {
 }
 
 export function startOrbit(sight: Sight): Orbit {
-  const distance = (1.04 * sight.halfHeight) / Math.tan((OPENING * Math.PI) / 360);
+  const distance = (0.9 * sight.halfHeight) / Math.tan((OPENING * Math.PI) / 360);
   return { target: new Vector3().fromArray(sight.centre), distance, side: 0, height: START_HEIGHT };
 }
 

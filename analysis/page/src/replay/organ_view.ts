@@ -2,7 +2,7 @@
 
 import {
   BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, LineBasicMaterial, LineSegments, Mesh,
-  MeshStandardMaterial, type Plane,
+  MeshLambertMaterial, type Plane,
 } from "three";
 import type { Shown } from "./address";
 import { TABLE } from "./color_map";
@@ -43,11 +43,11 @@ export function organView(recording: Recording): OrganView {
   marked.setIndex(dynamicIndex(3 * most));
   outlined.setIndex(dynamicIndex(6 * most));
 
-  const skin = new MeshStandardMaterial({
-    side: DoubleSide, roughness: 0.62, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+  const skin = new MeshLambertMaterial({
+    side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
   });
   const wire = new LineBasicMaterial({ transparent: true, opacity: 0.4 });
-  const mark = new MeshStandardMaterial({ side: DoubleSide, roughness: 0.7 });
+  const mark = new MeshLambertMaterial({ side: DoubleSide });
   const markEdge = new LineBasicMaterial();
   const body = new Mesh(geometry, skin);
   const net = new LineSegments(wires, wire);

@@ -10,6 +10,7 @@ import { makeFigure } from "./figure";
 import { keysHelp, onKeys } from "./keys";
 import { orbitFrom, orbitNumbers, startOrbit } from "./orbit";
 import { download, figurePicture } from "./picture";
+import { makePace } from "./pace";
 import { pinnedPanel } from "./pinned";
 import { makePlayer, nearestStep, next, stay, type Timeline } from "./player";
 import { listen } from "./pointer";
@@ -86,6 +87,11 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
   onKeys(wishes, camera, timeline.steps.length - 1, ended);
   listen(figure.ground, { ...camera, pick: (x, y) => wishes.change({ vertex: stage.pick(x, y) }) }, ended);
 
+  const pace = makePace((share) => {
+    stage.draw(share * devicePixelRatio);
+    body.dataset.drawn = String(shown.step);
+  }, stage.finished);
+  const redraw = pace.ask;
   const tops = new Map<Field, number>();
   function update(): void {
     shown.step = timeline.steps[at]!;
@@ -109,15 +115,6 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
     return stay(timeline, place, shown.through, shown.speed);
   }
 
-  let request = 0;
-  function redraw(): void {
-    cancelAnimationFrame(request);
-    request = requestAnimationFrame(() => {
-      stage!.draw(devicePixelRatio);
-      body.dataset.drawn = String(shown.step);
-    });
-  }
-
   let writing: ReturnType<typeof setTimeout> | undefined;
   function remember(): void {
     clearTimeout(writing);
@@ -130,7 +127,7 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
   ended.addEventListener("abort", () => {
     player.stop();
     clearTimeout(writing);
-    cancelAnimationFrame(request);
+    pace.stop();
     sizes.disconnect();
     stage.dispose();
   });

@@ -20,6 +20,7 @@ export interface Stage {
   repaint(): void; // once the ground is in the page, and after a change of the theme
   /** Draws; the views' places are read from their elements. @param scale pixels of the picture for each of the page */
   draw(scale: number): void;
+  finished(): Promise<void>; // when the renderer has drawn all that it was told to
   turn(right: number, down: number): void; // pixels
   pan(right: number, down: number): void;
   zoom(factor: number): void;
@@ -74,6 +75,7 @@ export function makeStage(recordings: Recording[], places: HTMLElement[], ground
         renderer.render(views[k]!.scene, camera);
       });
     },
+    finished: () => fence(renderer.getContext() as WebGL2RenderingContext),
     turn: (right, down) => turn(stage.orbit, -right * 0.4, down * 0.4),
     pan: (right, down) => pan(stage.orbit, camera, -right / unit(), down / unit()),
     zoom: (factor) => zoom(stage.orbit, factor),
@@ -102,6 +104,20 @@ function makeRenderer(canvas: HTMLCanvasElement): WebGLRenderer | null {
   renderer.localClippingEnabled = true;
   renderer.autoClear = false;
   return renderer;
+}
+
+/** When all that was asked of the context is done. */
+function fence(gl: WebGL2RenderingContext): Promise<void> {
+  const sync = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  return new Promise((done) => {
+    const look = () => {
+      if (sync && !gl.isContextLost() && gl.getSyncParameter(sync, gl.SYNC_STATUS) === gl.UNSIGNALED) return void setTimeout(look, 2);
+      gl.deleteSync(sync);
+      done();
+    };
+    look();
+  });
 }
 
 /** The scene of one case. */

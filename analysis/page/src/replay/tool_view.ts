@@ -1,6 +1,6 @@
 // The tool of one view: glass of the colour of steel, and an outline that shows faintly where the organ hides it.
 
-import { BackSide, BufferAttribute, BufferGeometry, FrontSide, Group, Matrix4, Mesh, MeshStandardMaterial, type Plane, Vector3 } from "three";
+import { BackSide, BufferAttribute, BufferGeometry, FrontSide, Group, Matrix4, Mesh, MeshLambertMaterial, type Plane, Vector3 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -27,9 +27,9 @@ export function toolView(recording: Recording): ToolView {
   geometry.computeVertexNormals();
   const outline = new LineSegmentsGeometry().setPositions(sharpEdges(recording.toolPositions, facets));
 
-  const glass = { transparent: true, depthWrite: false, metalness: 0.25, roughness: 0.35 };
-  const back = new MeshStandardMaterial({ ...glass, side: BackSide, opacity: 0.18 });
-  const front = new MeshStandardMaterial({ ...glass, side: FrontSide, opacity: 0.3 });
+  const glass = { transparent: true, depthWrite: false };
+  const back = new MeshLambertMaterial({ ...glass, side: BackSide, opacity: 0.18 });
+  const front = new MeshLambertMaterial({ ...glass, side: FrontSide, opacity: 0.3 });
   const line = new LineMaterial({ linewidth: 1.7 });
   const faint = new LineMaterial({ linewidth: 1.2, transparent: true, opacity: 0.4, depthTest: false, depthWrite: false });
   const parts = [new Mesh(geometry, back), new Mesh(geometry, front), new LineSegments2(outline, line), new LineSegments2(outline, faint)];

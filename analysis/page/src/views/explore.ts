@@ -26,6 +26,7 @@ export function explore(page: Page): View {
   const usual = usualState(cases, report.labels);
   const { state: start, wrong } = readState(location.hash, cases, report.labels);
   let state = start;
+  let waiting: ReturnType<typeof setTimeout> | undefined;
   const [overConditions, overValues, ofPairs] = [makeFrame(), makeFrame(), makeFrame()];
   const chosen = h("section", { class: "chosen", "aria-live": "polite" });
   const choose = (rows: number[], what: string) => {
@@ -48,8 +49,12 @@ export function explore(page: Page): View {
     two.update(state);
     chosen.replaceChildren();
     overConditions.show(multiples(shown));
-    overValues.show(distribution(shown));
-    ofPairs.show(pairedChart(shown));
+    clearTimeout(waiting);
+    waiting = setTimeout(() => {
+      // the first chart is there before what is further down the page is worked out
+      overValues.show(distribution(shown));
+      ofPairs.show(pairedChart(shown));
+    });
   };
   const unknown = wrong.length ? [h("p", { role: "alert", class: "chart-warning" }, `The address asks for what this report does not have: ${wrong.join(", ")}.`)] : [];
   const element = h(
@@ -65,7 +70,7 @@ export function explore(page: Page): View {
     ...(report.labels.length > 1 ? [two.element, ofPairs.element] : []),
   );
   update();
-  return { title: TITLE, element };
+  return { title: TITLE, element, dispose: () => clearTimeout(waiting) };
 }
 
 function pairPicker(labels: string[], change: (part: Partial<ExploreState>) => void) {
