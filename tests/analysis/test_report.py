@@ -6,21 +6,16 @@ import contextlib
 import csv
 import io
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
 import h5py
 import numpy as np
-from report_sweep import BETTER, LEFT, PROVENANCE, SEEDS, fail, read_report, sweep
+from report_sweep import BETTER, LEFT, PROVENANCE, SEEDS, ReportTest, fail, sweep
 from result_file import write_results
 
 from trocar_analysis.__main__ import main
-from trocar_analysis.errors import InputError
 from trocar_analysis.rank import Wishes, csv_text, read_ranking
-from trocar_analysis.report import html
-from trocar_analysis.report.report import ClaimFiles, make_report
 
 CLAIM = """
 [[claim]]
@@ -35,39 +30,6 @@ is = "<"
 than = { label = "hasty" }
 """
 LACKING = CLAIM.replace("C1", "C2").replace("depth_max_d_max", "strain_max")
-BUDGET = 1  # MB
-
-
-class ReportTest(unittest.TestCase):
-    def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.file, self.output = self.folder / "out.h5", self.folder / "report.html"
-        page = self.folder / "page"
-        page.mkdir()
-        (page / "page.js").write_text("/* the page's program */")
-        (page / "page.css").write_text("/* the page's style */")
-        self.enterContext(mock.patch.object(html, "PAGE", page))
-
-    def write(self, cases: list[dict], **more: object) -> None:
-        write_results(self.file, cases, provenance=[PROVENANCE], **more)
-
-    def report(self, cases: list[dict] | None = None, budget: float = BUDGET, claims: str | None = None) -> dict:
-        if cases is not None:
-            self.write(cases)
-        self.made = make_report(str(self.file), str(self.output), budget, BETTER, ClaimFiles(claims))
-        return read_report(self.output)
-
-    def refused(self, *saying: str, budget: float = BUDGET) -> str:
-        """The report is refused with a message that says this, and nothing is written."""
-        before = {*self.folder.iterdir()}
-        with self.assertRaises(InputError) as raised:
-            self.report(budget=budget)
-        for words in saying:
-            self.assertIn(words, str(raised.exception))
-        self.assertEqual({*self.folder.iterdir()}, before)
-        return str(raised.exception)
 
 
 class Contents(ReportTest):
@@ -207,6 +169,7 @@ class Claims(ReportTest):
         self.assertEqual(first["verdicts"][0]["word"], "reproduced")
         self.assertEqual(second["verdicts"][0]["word"], "cannot be judged")
         self.assertIn("lacks the figure strain_max", second["notes"][0])
+        self.assertIn("1 of 2 claims cannot be judged", "".join(told["about"]))
 
 
 class Budget(ReportTest):

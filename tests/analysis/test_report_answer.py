@@ -55,7 +55,7 @@ class Answer(unittest.TestCase):
         times = comparison(row("c", 1, 3, 2, 4), row("b", 2, 5, 4, 6), row("a", 3, 9, 8, 10), name="time_handle_p99", unit="µs")
         said = self.said(left, times)
         self.assertIn("In time it costs 9 µs [8–10] of handling (99 % of a case's steps take less).", said)
-        self.assertIn("The fastest is c, 3 µs [2–4]; by the figure above its median is 4 mm [3–5].", said)
+        self.assertIn("The fastest is c, 3 µs [2–4]; by the figure above: median 4 mm [3–5].", said)
 
     def test_worse_only_where_intervals_are_clear_of_each_other(self):
         left = comparison(row("a", 1, 1, 0.9, 1.1), row("b", 2, 2, 1.9, 2.1))
@@ -68,6 +68,14 @@ class Answer(unittest.TestCase):
         left = comparison(row("a", 1, 1, 0.9, 1.1), row("b", 2, "inf", 2, "inf"), row("c", 3, "inf", "inf", "inf"))
         said = self.said(left, failed=2)
         self.assertIn("6 of 84 cases failed, 2 of them of a", said)
+
+    def test_what_half_failed_has_no_median(self):
+        left = comparison(row("a", 1, "inf", 1, "inf"), row("b", 2, 2, 1.9, 2.1))
+        times = comparison(row("b", 1, 1, 0.9, 1.1), row("a", 2, "inf", 2, "inf"), name="time_handle_p99")
+        said = self.said(left, times, failed=14)
+        self.assertIn("over 14 blocks, without a median, since half of its cases or more failed.", said)
+        self.assertNotIn("∞", said.replace("–∞]", ""))
+        self.assertNotIn("In time it costs", said)
 
     def test_nothing_that_all_have(self):
         self.assertIn("The file does not answer it", self.said(comparison()))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from ..sensitivity_table import said
 from .main_figures import LEFT_INSIDE, TIME
 
@@ -33,6 +35,8 @@ def why_not(comparisons: list[dict]) -> str:
 
 def leading(main: dict) -> str:
     first, ranks = main["rows"][0], main["ranks"]
+    if ranks is None and not math.isfinite(number(first["median"])):
+        return f"Half of the cases or more failed with every strategy: there is no median of “{lowered(main['title'])}” to compare."
     if ranks is None:
         return f"Lowest median of “{lowered(main['title'])}”: {first['label']}, {median(main, first)}. Not ranked: {main['why']}."
     return (
@@ -74,6 +78,8 @@ def cost_in_time(main: dict, comparisons: list[dict]) -> list[str]:
     if times is None:
         return []
     own = row_of(times, main["rows"][0]["label"])
+    if not math.isfinite(number(own["median"])):
+        return []
     fastest = min(times["rows"], key=lambda row: oriented(times, row["median"]))
     words = f"In time it costs {value_words(times, own)} of handling (99 % of a case's steps take less)"
     if fastest is own:
@@ -81,8 +87,8 @@ def cost_in_time(main: dict, comparisons: list[dict]) -> list[str]:
                 f"{words}, the lowest median; the interval overlaps with that of {listed(times, near(times, own))}."]  # fmt: skip
     same = "; the two intervals overlap" if overlap(own, fastest) else ""
     left = row_of(main, fastest["label"])
-    return [f"{words}. The fastest is {fastest['label']}, {value_words(times, fastest)}{same}; by the figure above its "
-            f"median is {value_words(main, left)}."]  # fmt: skip
+    return [f"{words}. The fastest is {fastest['label']}, {value_words(times, fastest)}{same}; by the "
+            f"figure above: {median(main, left)}."]  # fmt: skip
 
 
 def worse_in(label: str, comparisons: list[dict]) -> list[str]:
@@ -92,6 +98,8 @@ def worse_in(label: str, comparisons: list[dict]) -> list[str]:
         if one["name"] == TIME.name or not one["rows"]:
             continue
         own, best = row_of(one, label), min(one["rows"], key=lambda row: oriented(one, row["median"]))
+        if not math.isfinite(number(own["median"])):
+            continue
         if best is not own and own["low"] is not None and best["low"] is not None and not overlap(own, best):
             words.append(f"{lowered(one['title'])} ({value_words(one, own)}; {best['label']} {value_words(one, best)})")
     return [f"Its interval is clear of the best strategy's, and worse, in: {'; '.join(words)}."] if words else []
@@ -133,6 +141,8 @@ def number(value: float | str) -> float:
 
 
 def median(comparison: dict, row: dict) -> str:
+    if not math.isfinite(number(row["median"])):
+        return "without a median, since half of its cases or more failed"
     return f"median {value_words(comparison, row)}"
 
 

@@ -39,10 +39,14 @@ def told_claim(claim: Claim, sources: Sources) -> dict:
         answer = answer_of(claim, sources)
     except InputError as error:
         verdicts = [{"release": "", "confirmation": False, "word": CANNOT, "text": CANNOT}]
-        return said | {"verdicts": verdicts, "table": None, "notes": [f"{error}."]}
+        return said | {"verdicts": verdicts, "table": None, "notes": [sentence(str(error))]}
     table = conditions_table(answer, sources.units) if any(one.judged for one in answer.verdicts.values()) else None
     notes = [note for note in (left_out(answer), silent(answer)) if note]
     return said | {"verdicts": verdicts_of(answer), "table": table and told_table(table), "notes": notes}
+
+
+def sentence(words: str) -> str:
+    return f"{words[0].upper()}{words[1:]}."
 
 
 def verdicts_of(answer: Answer) -> list[dict]:
@@ -79,6 +83,8 @@ def about(told: list[dict], files: ClaimFiles) -> list[str]:
         others = sum(count for word, count in words.items() if word not in order)
         rest = f"; {others} set no limit or cannot be looked at yet" if others else ""
         said.append(f"Release {release}: of {words.total()} claims {counts or 'none is judged'}{rest}.")
+    if lacking := sum(claim["verdicts"][0]["word"] == CANNOT for claim in told):
+        said.append(f"{lacking} of {len(told)} claims cannot be judged: the file lacks a figure that they ask for.")
     said.append(
         "Claims are judged on the cases that this file holds, whatever they were run for; trocar reproduce runs those that "
         "each claim asks for, with enough seeds."

@@ -14,7 +14,7 @@ export function caseList(page: Page, note = ""): HTMLElement {
   let { filters } = readFilters(queryOf(location.hash), cases);
   const words = ["case_id", ...differingColumns(cases), "reason"].filter((name) => cases.columns.has(name));
   const texts = Array.from({ length: cases.count }, (_, row) => words.map((name) => cases.text(name, row)).join(" ").toLowerCase());
-  const search = h("input", { type: "search", placeholder: "id or words, such as liver 400 nearest-face", "aria-label": "search cases" });
+  const search = h("input", { type: "search", placeholder: "id or words: liver 400 nearest-face", "aria-label": "search cases" });
   const found = h("p", { role: "status" });
   const place = h("div");
   const update = () => {

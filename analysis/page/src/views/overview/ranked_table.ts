@@ -32,7 +32,9 @@ function noteOf(main: Comparison | undefined): string {
   const medians = "Medians, with their 95 % bootstrap intervals below, over the conditions under which every strategy has a value; a failed case counts as the worst value there is.";
   if (!main) return "The result file has none of the figures that strategies are compared by.";
   const rank = main.ranks ? ` Mean rank: by ${main.short}, over ${main.ranks.blocks} blocks (a seed on an organ).` : "";
-  return `${medians}${rank} “No value”: complete cases in which ${main.short} does not exist. A heading sorts the table.`;
+  const isInfinite = main.rows.some(({ median }) => typeof median === "string");
+  const infinite = isInfinite ? " ∞: half of the cases or more failed." : "";
+  return `${medians}${infinite}${rank} “No value”: complete cases in which ${main.short} does not exist. A heading sorts the table.`;
 }
 
 function nameColumn({ labels }: Report): SortableColumn<Count> {
