@@ -15,7 +15,7 @@ export function makePace(draw: (share: number) => void, finished: () => Promise<
   let request = 0;
   let rest: ReturnType<typeof setTimeout> | undefined;
   let slow = false;
-  let asked = -Infinity; // when a frame was asked for last
+  let ended = -Infinity; // when the last frame was there
   let moves = false;
   let [busy, wanted, stopped] = [false, false, false];
 
@@ -32,6 +32,7 @@ export function makePace(draw: (share: number) => void, finished: () => Promise<
     draw(share);
     await finished();
     busy = false;
+    ended = performance.now();
     if (share === 1) slow = performance.now() - start > LONG;
     if (wanted) schedule();
     else if (share < 1 && !stopped) rest = setTimeout(() => ((moves = false), schedule()), REST);
@@ -39,8 +40,7 @@ export function makePace(draw: (share: number) => void, finished: () => Promise<
 
   return {
     ask: () => {
-      moves = performance.now() - asked < REST || busy;
-      asked = performance.now();
+      moves = performance.now() - ended < REST || busy;
       clearTimeout(rest);
       schedule();
     },

@@ -88,7 +88,7 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
   listen(figure.ground, { ...camera, pick: (x, y) => wishes.change({ vertex: stage.pick(x, y) }) }, ended);
 
   const pace = makePace((share) => {
-    stage.draw(share * devicePixelRatio);
+    stage.draw((shown.bare ? 1 : share) * devicePixelRatio); // a picture is never coarse
     body.dataset.drawn = String(shown.step);
   }, stage.finished);
   const redraw = pace.ask;
