@@ -136,13 +136,12 @@ async function provenanceSaysHowToMakeItAgain(browser) {
 }
 
 async function failuresAreSaid(browser) {
-  for (const [name, words] of [["half", "42 of 84 cases failed"], ["failed", "No case completed"], ["single", "only strategy"]]) {
+  for (const [name, words] of [["half", "42 of 84 cases failed"], ["failed", "No case completed"], ["single", "only strategy"], ["single", "No ranks by"]]) {
     const { page, faults } = await openReport(browser, sample[name].report);
     const text = await page.locator("main").innerText();
     check(text.includes(words), `${name}: the overview does not say ${words}:\n${text.slice(0, 2000)}`);
     for (const chart of await page.locator("figure.chart .chart-drawing").all()) {
-      const isSaid = (await chart.locator("svg").count()) || (await chart.innerText()).trim().length > 20;
-      check(isSaid, `${name}: a blank chart`);
+      await chart.locator("svg, .empty").first().waitFor(); // fails where a chart stays blank
     }
     for (const view of VIEWS) await goTo(page, view);
     failOnErrors(faults, name);

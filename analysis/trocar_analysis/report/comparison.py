@@ -28,7 +28,8 @@ def compared(main: MainFigure, cases: Cases, better: dict[str, str]) -> dict:
 
 def unranked(main: MainFigure, cases: Cases, better: dict[str, str], why: str) -> dict:
     """Medians alone, where there are too few strategies or blocks to rank; nothing where these are not comparable."""
-    said = {"why": why.removeprefix(f"{cases.path}: "), "ranks": None}
+    # What follows the semicolon is about the arguments of `rank`.
+    said = {"why": why.removeprefix(f"{cases.path}: ").partition("; run more")[0], "ranks": None}
     try:
         figure = judged_figure(main.name, cases, better)
         equal = equal_conditions(cases, [figure], 1)

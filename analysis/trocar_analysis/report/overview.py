@@ -76,7 +76,7 @@ def front_told(cases: Cases, comparisons: list[dict], better: dict[str, str]) ->
     try:
         front = front_of(cases, Wishes(inside["name"], time["name"], [], better))
     except InputError as error:
-        return {"points": [], "why": str(error).removeprefix(f"{cases.path}: ")}
+        return {"points": [], "why": str(error).removeprefix(f"{cases.path}: ").partition("; run more")[0]}
     return {"why": "", "notes": [*front.notes, *front.cautions]} | axes_told(front, inside, time)
 
 

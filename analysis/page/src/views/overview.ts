@@ -5,6 +5,7 @@ import "./overview/overview.css";
 import { h } from "../dom";
 import { counted, grouped } from "../numbers";
 import type { Page, View } from "../view";
+import type { Comparison } from "./overview_data";
 import { claimsSection } from "./overview/claims_section";
 import { criticalDifference } from "./overview/critical_difference";
 import { frontChart } from "./overview/front_chart";
@@ -29,7 +30,8 @@ export function overview(page: Page): View {
       "ranks",
       "Which strategies the ranks tell apart",
       h("p", { class: "lead" }, "Strategies are ranked within blocks: a seed on an organ. A bar joins those whose mean ranks differ by less than the critical difference (CD): the file does not tell them apart."),
-      h("div", { class: "diagrams" }, ...comparisons.map((one) => chartFrame(criticalDifference(report, one)))),
+      h("div", { class: "diagrams" }, ...comparisons.filter(({ ranks }) => ranks).map((one) => chartFrame(criticalDifference(report, one)))),
+      ...unranked(comparisons),
     ),
   );
   return { title: "Overview", element };
@@ -58,6 +60,15 @@ function leftOut({ report }: Page): HTMLElement[] {
   ]);
   if (!entries.length) return [];
   return [h("details", { class: "more" }, h("summary", {}, "What each figure is over, and what is left out"), h("dl", {}, ...entries))];
+}
+
+/** For each reason the figures that have no diagram. */
+function unranked(comparisons: Comparison[]): HTMLElement[] {
+  if (!comparisons.length) return [h("p", { class: "empty" }, "The result file has none of the figures that strategies are ranked by.")];
+  const without = comparisons.filter(({ ranks }) => !ranks);
+  const reasons = [...new Set(without.map(({ why }) => why))];
+  const figures = (reason: string) => without.filter(({ why }) => why === reason).map(({ short }) => short).join("; ");
+  return reasons.map((reason) => h("p", { class: "empty" }, `No ranks by ${figures(reason)}: ${reason}.`));
 }
 
 function failures({ report }: Page): HTMLElement[] {

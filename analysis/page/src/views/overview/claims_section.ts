@@ -6,11 +6,16 @@ import type { Claim, ClaimVerdict, Overview } from "../overview_data";
 // A verdict is told by its words; the colour only helps to find it.
 const KINDS: Record<string, string> = { reproduced: "good", partly: "some", "not reproduced": "bad" };
 
+const UNSEEN = ["not run", "not yet", "cannot be judged"];
+
 export function claimsSection({ claims, about, legend }: Overview["claims"]): HTMLElement[] {
   const said = about.map((sentence) => h("p", { class: "note" }, sentence));
   if (!claims.length) return said;
   const words = h("details", { class: "more" }, h("summary", {}, "How a claim is judged"), ...legend.map((line) => h("p", {}, line)));
-  return [...said, h("div", { class: "claims" }, ...claims.map(claimElement)), words];
+  const list = h("div", { class: "claims" }, ...claims.map(claimElement));
+  const isAny = claims.some(({ verdicts }) => verdicts.some(({ word }) => !UNSEEN.includes(word)));
+  if (isAny) return [...said, list, words];
+  return [h("p", {}, "This file holds no cases on which a claim could be judged."), ...said, h("details", { class: "more" }, h("summary", {}, "The claims"), list)];
 }
 
 function claimElement(claim: Claim): HTMLElement {
@@ -35,8 +40,8 @@ function verdictElement({ words, verdict }: { words: string; verdict: ClaimVerdi
   return h("span", { class: "claim-verdict" }, h("span", { class: `tag ${KINDS[verdict.word] ?? "open"}` }, verdict.text), ...(words ? [h("small", {}, words)] : []));
 }
 
-function conditions({ id, table }: Claim): HTMLElement[] {
-  if (!table?.rows.length) return [];
+function conditions({ id, table, verdicts }: Claim): HTMLElement[] {
+  if (!table?.rows.length || verdicts.every(({ text }) => UNSEEN.includes(text))) return [];
   const kind = table.columns.map(({ isText }) => (isText ? "" : "number"));
   const head = table.columns.map(({ title }, place) => h("th", { scope: "col", class: kind[place] }, title));
   const rows = table.rows.map((row) => h("tr", {}, ...row.map((cell, place) => h("td", { class: kind[place] }, cell))));

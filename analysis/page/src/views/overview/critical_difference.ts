@@ -4,7 +4,6 @@
 import { csvText } from "../../chart/csv";
 import type { ChartParts, Drawing } from "../../chart/frame";
 import { styleOfLabel } from "../../chart/palette";
-import { h } from "../../dom";
 import type { Report } from "../../report";
 import type { Comparison, Ranks, Row } from "../overview_data";
 import { levels, nameRows } from "./rank_layout";
@@ -21,20 +20,21 @@ const TEXT = "font: 12px system-ui, sans-serif; fill: var(--chart-ink)";
 const HALO = `${TEXT}; paint-order: stroke; stroke: var(--chart-background); stroke-width: 4px; stroke-linejoin: round`;
 const FAINT = "font: 11px system-ui, sans-serif; fill: var(--chart-faint)";
 
-export function criticalDifference(report: Report, comparison: Comparison): ChartParts {
-  const { ranks, rows, name, title, better } = comparison;
-  const test = ranks && `${ranks.blocks} blocks${ranks.leftOut ? `; ${ranks.leftOut} left out, where one has no value` : ""}. That all rank alike: ${ranks.p} (Friedman, Iman and Davenport). CD: Nemenyi, α = 0.05.`;
+/** Of strategies that are ranked. */
+export function criticalDifference(report: Report, { ranks, rows, name, title, better, why }: Comparison): ChartParts {
+  if (!ranks) throw new Error(`${name}: no ranks to draw (${why})`);
+  const test = `${ranks.blocks} blocks${ranks.leftOut ? `; ${ranks.leftOut} left out, where one has no value` : ""}. That all rank alike: ${ranks.p} (Friedman, Iman and Davenport). CD: Nemenyi, α = 0.05.`;
   return {
     name: `ranks-${name.replaceAll("/", "-per-")}`,
     title,
     unit: "mean rank (1 is best)",
     better: "low",
-    note: [`Ranked by ${name}, of which ${better === "high" ? "higher" : "lower"} is better.`, test ?? ""].join(" "),
-    draw: (width) => (ranks ? draw(report, rows, ranks, width) : h("p", { class: "empty" }, `There are no ranks: ${comparison.why}.`)),
+    note: [`Ranked by ${name}, of which ${better === "high" ? "higher" : "lower"} is better.`, test].join(" "),
+    draw: (width) => draw(report, rows, ranks, width),
     csv: () =>
       csvText([
         ["strategy", "figure", "mean_rank", "blocks", "critical_difference"],
-        ...rows.filter(({ meanRank }) => meanRank !== null).map((row) => [row.label, name, row.meanRank!, ranks!.blocks, ranks!.difference]),
+        ...rows.map(({ label, meanRank }) => [label, name, meanRank ?? NaN, ranks.blocks, ranks.difference]),
       ]),
   };
 }
