@@ -130,8 +130,8 @@ class Publication(StrategiesTest):
         said = self.publish()
         table = self.text(f"table_{DEPTH}.txt")
         self.assertNotIn("\\textbf", self.text(f"table_{DEPTH}.tex"))
-        self.assertIn("The strategies cannot be compared by these medians: of 24 conditions none has a value", table)
-        self.assertIn("no diagram of ranks", "\n".join(said))
+        self.assertIn("Strategies are not compared: under no condition has each of them one value", table)
+        self.assertIn(f"{DEPTH}: no diagram of ranks: of 24 conditions none has a value of each of the 4 strategies; choose", said[1])
         self.assertFalse((self.output / f"rank_{DEPTH}.pdf").exists())
 
     def test_counts_of_failed_cases_and_of_values_that_are_missing(self):
@@ -297,7 +297,7 @@ class Publication(StrategiesTest):
         said = self.publish()
         self.assertEqual([*self.output.glob("*.pdf")], [])
         self.assertIn(f"fuzzy & {self.cases[0][DEPTH]:.3g} & 0", self.text(f"table_{DEPTH}.tex"))
-        self.assertIn("no picture: one strategy under one condition", "\n".join(said))
+        self.assertIn("no picture, as there is one strategy under one condition", "\n".join(said))
 
     def test_one_condition(self):
         self.cases = chosen(self.cases, organ="o0", seed=0, speed=20.0)
@@ -320,7 +320,7 @@ class Publication(StrategiesTest):
         for case in self.cases:
             case["drag_mean"] = math.nan
         said = self.publish(DEPTH, "drag_mean")
-        self.assertIn("drag_mean: left out: no case has a value", "\n".join(said))
+        self.assertIn("drag_mean: left out, as no case has a value", "\n".join(said))
         self.refuse("no complete case has a value of what is asked for: drag_mean", "drag_mean")
 
     def test_the_main_figures_are_drawn_where_none_is_asked_for(self):

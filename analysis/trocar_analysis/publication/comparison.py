@@ -21,6 +21,7 @@ from ..sensitivity import points_of
 from .chosen import words_of
 
 FEWEST_STRATEGIES = 2
+NOT_COMPARED = "Strategies are not compared: under no condition has each of them one value, and these medians are of different ones."
 CHANGE = ["difference", "difference_low", "difference_high", "p"]
 
 
@@ -44,22 +45,20 @@ class Compared:
 def compare_strategies(cases: Cases, figure: Figure, only: list[str], better: dict[str, str]) -> Compared:
     """The strategies by a figure, under equal conditions where there are such."""
     labels = list(dict.fromkeys(cases.table["label"]))
-    equal, notes = None, []
+    equal, notes, why = None, [], "one strategy, so none is better"
     if len(labels) >= FEWEST_STRATEGIES:
         try:
             equal = equal_conditions(cases, [figure], FEWEST_STRATEGIES)
             notes = equal.notes
         except InputError as error:
-            notes = [f"The strategies cannot be compared by these medians: {without_path(error, cases)}."]
+            why, notes = reason(error, cases), [NOT_COMPARED]
     used = equal.used if equal else cases.table
-    ranking, no_ranking = None, "one strategy, so none is better"
+    ranking, no_ranking = None, why
     if equal:
         try:
             ranking, no_ranking = ranking_of(cases, Wishes(figure.name, only, better)), ""
         except InputError as error:
-            no_ranking = without_path(error, cases)
-    elif notes:
-        no_ranking = notes[0].rstrip(".")
+            no_ranking = reason(error, cases)
     table, blocks = strategies_of(figure, used, equal, ranking)
     return Compared(
         figure, words_of(figure, cases), used, labels, equal is not None, notes, table, ranking, no_ranking, blocks,
@@ -67,8 +66,10 @@ def compare_strategies(cases: Cases, figure: Figure, only: list[str], better: di
     )  # fmt: skip
 
 
-def without_path(error: InputError, cases: Cases) -> str:
-    return str(error).removeprefix(f"{cases.path}: ")
+def reason(error: InputError, cases: Cases) -> str:
+    """What is wrong and what to do, without the file's name and what is between these two."""
+    parts = str(error).removeprefix(f"{cases.path}: ").split("; ")
+    return "; ".join(dict.fromkeys([parts[0], parts[-1]]))
 
 
 def strategies_of(

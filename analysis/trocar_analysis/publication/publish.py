@@ -14,7 +14,7 @@ from ..front import front_of
 from ..rank import BETTER, counted
 from .captions import caption_front, caption_over, caption_ranks, caption_table, notes_of_table
 from .chosen import AGAINST, conditions_that_vary, figures_of
-from .comparison import Compared, compare_strategies, without_path
+from .comparison import Compared, compare_strategies, reason
 from .files import file_name, make_folder, save_picture, save_text
 from .latex import latex
 from .latex_table import table_text, unit_of
@@ -47,6 +47,10 @@ class Pages:
         self.folder = folder
         self.index: list[str] = []  # names of what LaTeX takes in, "" between figures
         self.pictures = self.tables = 0
+        self.lacks: dict[str, list[str]] = {}  # why something could not be made: what
+
+    def cannot(self, what: str, why: str) -> None:
+        self.lacks.setdefault(why, []).append(what)
 
     def add_picture(self, name: str, compose_it: object, caption: list[str]) -> None:
         save_picture(self.folder, name, compose_it)
@@ -64,36 +68,35 @@ class Pages:
 
 def publish(path: str, output: str, asked: Wishes) -> list[str]:
     """Draws and tabulates the figures of a result file into a folder. What it returns says what was written and what could
-    not be drawn, and why. InputError where there is nothing to show."""
+    not be made, and why. InputError where there is nothing to show."""
     cases = read_cases(path, asked.only)
     figures = figures_of(cases, asked.metrics, asked.better)
     pages = Pages(make_folder(output))
-    said: list[str] = []
     for figure in figures:
         compared = compare_strategies(cases, figure, asked.only, asked.better)
-        said += add_figure(pages, compared, cases, asked)
+        add_figure(pages, compared, cases, asked)
         pages.index.append("")
-    said += add_fronts(pages, figures, cases, asked)
+    add_fronts(pages, figures, cases, asked)
     save_text(pages.folder, "figures.tex", index_text(pages.index, Path(path).name))
     save_text(pages.folder, "preview.tex", PREVIEW)
     return [
         f"{output}: {counted(pages.pictures, 'picture')} (SVG and PDF) and {counted(pages.tables, 'table')} of "
-        f"{counted(len(cases.table), 'case')}; "
-        "figures.tex takes in all of them, preview.tex is a document of them",
-        *dict.fromkeys(said),
+        f"{counted(len(cases.table), 'case')}; figures.tex takes in all of them, preview.tex is a document of them",
+        *(f"{', '.join(what)}: {why}" for why, what in pages.lacks.items()),
     ]
 
 
-def add_figure(pages: Pages, compared: Compared, cases: Cases, asked: Wishes) -> list[str]:
-    """All of one figure. What it returns says what there is not, and why."""
+def add_figure(pages: Pages, compared: Compared, cases: Cases, asked: Wishes) -> None:
+    """All of one figure."""
     figure, used = compared.figure, compared.used
-    name, said = file_name(figure.name), []
+    name = file_name(figure.name)
     if figure.values.loc[used.index].isna().all():
-        return [f"{figure.name}: left out: no case has a value ({figure.lacking})"]
+        pages.cannot(figure.name, f"left out, as no case has a value ({figure.lacking})")
+        return
     conditions = conditions_that_vary(used)
     overs = conditions or (["label"] if len(compared.labels) > 1 else [])
     if not overs:
-        said.append(f"{figure.name}: no picture: one strategy under one condition; its table has the value")
+        pages.cannot(figure.name, "no picture, as there is one strategy under one condition; the table has the value")
     for over in overs:
         panels = panels_over(over, figure, cases, used, compared.labels)
         over_name = f"over_{'strategy' if over == 'label' else over}_{name}"
@@ -102,19 +105,17 @@ def add_figure(pages: Pages, compared: Compared, cases: Cases, asked: Wishes) ->
         ranks = compared.ranking.ranks
         pages.add_picture(f"rank_{name}", lambda: compose_ranks(ranks, figure.title), caption_ranks(compared, asked.only))
     else:
-        said.append(f"{figure.name}: no diagram of ranks: {compared.no_ranking}")
+        pages.cannot(figure.name, f"no diagram of ranks: {compared.no_ranking}")
     caption, notes = caption_table(compared, unit_of(compared)[0], asked.only), notes_of_table(compared)
     text = table_text(compared, cases, conditions, latex(" ".join(caption)), latex(" ".join(notes)), name)
     pages.add_text(f"table_{name}", [*caption, *notes], text)
     pages.tables += 1
-    return said
 
 
-def add_fronts(pages: Pages, figures: list[Figure], cases: Cases, asked: Wishes) -> list[str]:
+def add_fronts(pages: Pages, figures: list[Figure], cases: Cases, asked: Wishes) -> None:
     """The first figure of which one way is better, against each of the others that are asked for, or against those of
     AGAINST."""
     judged = [figure for figure in figures if figure.better in BETTER]
-    said = []
     for other in judged[1:]:
         if asked.metrics is None and other.name not in AGAINST:
             continue
@@ -122,13 +123,12 @@ def add_fronts(pages: Pages, figures: list[Figure], cases: Cases, asked: Wishes)
         try:
             front = front_of(cases, wishes)
         except InputError as error:
-            said.append(f"no front of {judged[0].name} and {other.name}: {without_path(error, cases)}")
+            pages.cannot(f"front of {judged[0].name} and {other.name}", f"not drawn: {reason(error, cases)}")
             continue
         titled = replace(front, figure=replace(front.figure, title=judged[0].title),
                          against=replace(front.against, title=other.title), notes=[], cautions=[])  # fmt: skip
         name = f"front_{file_name(judged[0].name)}_against_{file_name(other.name)}"
         pages.add_picture(name, lambda titled=titled: front_plot.compose(titled), caption_front(front))
-    return said
 
 
 def index_text(names: list[str], file: str) -> str:
