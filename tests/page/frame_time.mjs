@@ -14,7 +14,7 @@ import { cpus, tmpdir } from "node:os";
 import { join } from "node:path";
 
 const { chromium } = createRequire(new URL("../../analysis/page/package.json", import.meta.url))("playwright-core");
-const FRAMES = 60;
+const FRAMES = 100;
 const here = import.meta.dirname;
 const trocar = process.argv[2];
 if (!trocar) throw new Error("usage: node tests/page/frame_time.mjs TROCAR, the program, such as build/trocar");

@@ -20,6 +20,8 @@ export interface OrganView {
   dress(frame: number, shown: Shown, top: number): void;
   paint(colors: Colors): void;
   clip(planes: Plane[]): void;
+  /** Leaves out edges that are there beside the surface: many lines take longer than all else where there is no graphics card. */
+  simplify(simple: boolean): void;
   dispose(): void;
 }
 
@@ -56,6 +58,7 @@ export function organView(recording: Recording): OrganView {
   const group = new Group().add(body, net, marks, markEdges);
   for (const object of group.children) object.frustumCulled = false;
 
+  let wired = true;
   return {
     group,
     geometry,
@@ -78,7 +81,7 @@ export function organView(recording: Recording): OrganView {
       }
       skin.color.copy(coloured ? WHITE : skin.userData.own);
       body.visible = shown.surface !== "wire";
-      net.visible = shown.surface !== "solid";
+      wired = shown.surface !== "solid";
       wire.opacity = shown.surface === "wire" ? 0.75 : 0.28;
       const crossing = shown.hidden.includes("crossing") ? [] : recording.crossing(frame, shown.moment);
       markFacets(crossing, facets, marked.index!, outlined.index!);
@@ -93,6 +96,9 @@ export function organView(recording: Recording): OrganView {
     },
     clip: (planes) => {
       for (const material of [skin, wire, mark, markEdge]) material.clippingPlanes = planes;
+    },
+    simplify: (simple) => {
+      net.visible = wired && !(simple && body.visible);
     },
     dispose: () => {
       for (const one of [geometry, wires, marked, outlined, skin, wire, mark, markEdge]) one.dispose();

@@ -88,7 +88,8 @@ export function runReplay(body: HTMLElement, recordings: Recording[], labels: st
   listen(figure.ground, { ...camera, pick: (x, y) => wishes.change({ vertex: stage.pick(x, y) }) }, ended);
 
   const pace = makePace((share) => {
-    stage.draw((shown.bare ? 1 : share) * devicePixelRatio); // a picture is never coarse
+    const coarse = share < 1 && !shown.bare; // a picture never is
+    stage.draw((coarse ? share : 1) * devicePixelRatio, coarse);
     body.dataset.drawn = String(shown.step);
   }, stage.finished);
   const redraw = pace.ask;

@@ -18,8 +18,9 @@ export interface Stage {
   /** Shows a step, in the colours up to `top`. */
   show(step: number, shown: Shown, top: number): void;
   repaint(): void; // once the ground is in the page, and after a change of the theme
-  /** Draws; the views' places are read from their elements. @param scale pixels of the picture for each of the page */
-  draw(scale: number): void;
+  /** Draws; the views' places are read from their elements. @param scale pixels of the picture for each of the page
+   * @param simple without what takes long */
+  draw(scale: number, simple?: boolean): void;
   finished(): Promise<void>; // when the renderer has drawn all that it was told to
   turn(right: number, down: number): void; // pixels
   pan(right: number, down: number): void;
@@ -55,7 +56,7 @@ export function makeStage(recordings: Recording[], places: HTMLElement[], ground
       renderer.setClearColor(colors.ground);
       for (const view of views) view.paint(colors);
     },
-    draw: (scale) => {
+    draw: (scale, simple = false) => {
       const around = ground.getBoundingClientRect();
       renderer.setPixelRatio(scale);
       renderer.setSize(around.width, around.height, false);
@@ -71,6 +72,7 @@ export function makeStage(recordings: Recording[], places: HTMLElement[], ground
         placeCamera(camera, stage.orbit, sight, box.width / box.height);
         turnPlane(plane, sight, camera.position);
         views[k]!.light(camera);
+        views[k]!.organ.simplify(simple);
         renderer.clear();
         renderer.render(views[k]!.scene, camera);
       });
