@@ -41,7 +41,7 @@ def table_text(compared: Compared, cases: Cases, conditions: list[str], caption:
     pages = [parts[start : start + a_page] for start in range(0, len(parts), a_page)]
     floats = []
     for place, page in enumerate(pages):
-        bodies = "\n\\par\\medskip\n".join(tabular(part, names) for part in page)
+        bodies = "\n\\par\\smallskip\n".join(tabular(part, names) for part in page)
         head = f"\\caption{{{caption}}}\n\\label{{tab:{label}}}\n\\smallskip" if place == 0 else "Continued from the table before."
         below = f"\n\\par\\medskip\n\\parbox{{\\linewidth}}{{\\scriptsize {notes}}}" if page is pages[-1] and notes else ""
         floats.append(

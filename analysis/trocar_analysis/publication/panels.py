@@ -23,7 +23,7 @@ WIDTH, HEIGHT = 5.5, 1.1  # of a row's panels; of one
 BETWEEN, ROW_GAP = 0.2, 0.3  # as Layout has them: between panels; it has 0.5 between rows
 TITLE, KEY, KEY_LINE, KEY_LETTER, KEY_MARK = 0.14, 0.34, 0.152, 0.0575, 0.52  # from the upper edge down; of the key
 HEADS = 0.46  # from the key down to the first row
-AXIS, TICK_LINE = 0.6, 0.13  # below the last row; a further line of ticks
+AXIS, AXIS_ALONE, TICK_LINE = 0.6, 0.3, 0.13  # below the last row, with what is along it or without; a further line of ticks
 SLOPE = 30  # degrees, of names that have no room beside each other
 SPREAD = 0.8  # of the room between two values, that the marks at one take at most
 
@@ -85,7 +85,8 @@ def compose(panels: Panels) -> Picture:
     key_lines = 0 if sweep.over == "label" else -(-len(lines) // key_columns)
     layout = replace(layout, top=KEY + KEY_LINE * key_lines + (HEADS if sweep.panels else 0.1))
     bottom = layout.above(len(panels.rows) - 1) + HEIGHT
-    canvas = start(layout.right + MARGIN, bottom + AXIS + room)
+    words = "" if sweep.over == "label" else axis_words(sweep)
+    canvas = start(layout.right + MARGIN, bottom + room + (AXIS if words else AXIS_ALONE))
     for number, row in enumerate(panels.rows):
         of_row = [add_panel(canvas, layout, number, column) for column in range(len(panels.columns))]
         points = select(sweep.points, row)
@@ -102,7 +103,6 @@ def compose(panels: Panels) -> Picture:
     if key_lines:
         draw_key(canvas.figure, lines, key_columns)
     title(canvas, sweep.figures[0])
-    words = "" if sweep.over == "label" else axis_words(sweep)
     canvas.text((LEFT + layout.right) / 2, bottom + room + 0.42, words, ha="center", va="center")
     return canvas.figure
 
