@@ -128,10 +128,14 @@ paper: build  ## run the paper's comparison: its table, its picture, its claims 
 pictures: build  ## make the pictures on the metrics' pages anew
 	build/trocar snapshot --metric all -o experiments/metrics/pages/pictures
 
-figures: paper pictures  ## make the table and the picture of README.md anew, and those of the metrics' pages
+# The picture of README.md shows the six that the paper has, drawn by the report's replay.
+six = $(addprefix --only label=,fuzzy-per-vertex nearest-face cylinder-axis average-plane joint-vertex tool-facet)
+figures: full_packages paper pictures  ## make the table and the picture of README.md anew, and those of the metrics' pages
 	build/trocar show build/paper/paper.h5 $(addprefix --only ,release=contact scene=penetration) --markdown \
 	    --by speed,label $(readme_metrics) > $(readme_table)
-	cp build/paper/paper.png results/reference/paper.png
+	build/trocar report build/paper/rapid.h5 -o build/paper/rapid.html
+	node cmake/replay_picture.mjs build/paper/rapid.html results/reference/paper.png --width 1280 --height 780 \
+	    --cases $$(build/trocar show build/paper/rapid.h5 --each $(six) | tail -n +2 | cut -d, -f1 | paste -sd,)
 	build/trocar fuzzy plot -o build/paper/rules
 	cp build/paper/rules/memberships.png build/paper/rules/response.png results/reference
 	$(PYTHON) cmake/readme_part.py README.md table $(readme_table)
