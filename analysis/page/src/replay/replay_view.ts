@@ -13,7 +13,7 @@ export function replayView(page: Page, caseIds: string[]): View {
   const element = h("section", { class: "replay" });
   const { chosen, wrong } = choose(page.report, caseIds);
   if (!chosen.length) {
-    element.append(h("h2", {}, "Replay"), h("p", { role: "status" }, nothing(page.report.notes)));
+    element.append(h("h1", {}, "Replay"), h("p", { role: "status" }, nothing(page.report.notes)));
     return { title: "Replay", element };
   }
   const ended = new AbortController();
@@ -21,7 +21,7 @@ export function replayView(page: Page, caseIds: string[]): View {
   const body = h("div", { class: "replay-body" }, h("p", { role: "status" }, "Unpacking the replay …"));
   element.classList.toggle("replay-bare", shown.bare);
   element.append(
-    h("div", { class: "replay-top" }, h("h2", {}, "Replay"), chooser(page.report, chosen, () => shown)),
+    h("div", { class: "replay-top" }, h("h1", {}, "Replay"), chooser(page.report, chosen, () => shown)),
     ...(wrong ? [h("p", { role: "alert" }, wrong)] : []),
     body,
     ...aboutReplays(page.report.notes).map((note) => h("p", { class: "replay-note" }, note)),
