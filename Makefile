@@ -204,7 +204,8 @@ test: build  ## build and run the tests
 
 # Of the scripts for browsers, two are what the others share, and one measures.
 page_tests = $(filter-out $(addprefix tests/page/,browser.mjs sample.mjs frame_time.mjs),$(wildcard tests/page/*.mjs))
-test_export = xvfb-run -a $(PYTHON) -B tests/export/$(1)_test.py build/trocar build/export
+# An X server starts anew when its last client leaves, and turns away who comes meanwhile: -noreset.
+test_export = xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" $(PYTHON) -B tests/export/$(1)_test.py build/trocar build/export
 
 test-full: full_packages test  ## the tests, and what they leave out: the page of reports in a browser, exports in VTK and ParaView
 	cd $(page) && npm test
