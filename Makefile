@@ -221,7 +221,7 @@ races:  ## run eight threads at once through the fuzzy inference under ThreadSan
 chaos: build  ## kill a sweep and its workers 20 times, resume it, and compare it with an undisturbed run
 	tests/chaos.sh build/$(PRESET)/experiments/trocar
 
-sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer
+sanitize:  ## run the tests under AddressSanitizer and UndefinedBehaviorSanitizer, but for those of Python alone
 	$(MAKE) test PRESET=asan TROCAR_LINK_PROGRAM=OFF
 
 mutate: packages  ## make deliberate errors in the metrics and see whether a test finds each; ALL=--all tries them all
