@@ -177,7 +177,9 @@ Placement place(const SceneInputs& inputs, const PlacementRule& rule) {
                                                : point_by_area(organ, areas_up_to, uniform);
         const Vec3& entry = point.position;
         if (way_near_boundary(organ, entry, entry, reach)) continue;
-        const Vec3 normal = mean_normal(organ, entry, point.facet, reach);
+        const auto mean = mean_normal(organ, entry, point.facet, reach);
+        if (!mean) continue;
+        const Vec3& normal = *mean;
         const Vec3 tangent = tangent_of(normal, free[0]);
         if (way_near_boundary(organ, entry, entry + rule.aside * tangent, reach)) continue;
         if (!thick_as_asked(inputs, rule, entry, normal)) continue;

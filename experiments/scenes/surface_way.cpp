@@ -15,13 +15,14 @@ constexpr double least_advance = 0.5;                  // mm, of a step along th
 constexpr double largest_turn = std::numbers::pi / 6;  // rad a step
 constexpr double negligible = 1e-9;                    // mm
 
-/// A step ahead in the tangent plane, put back on the surface.
-Pose step_ahead(const SceneInputs& inputs, const Pose& from) {
+/// A step ahead in the tangent plane, put back on the surface; none where that faces no way.
+std::optional<Pose> step_ahead(const SceneInputs& inputs, const Pose& from) {
     const SurfacePoint on =
         inputs.organ_queries.closest(from.position + step * from.rotation.col(0), negligible);
-    const Vec3 normal = mean_normal(inputs.organ, on.position, on.facet, 2 * inputs.tool.radius);
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(from.rotation.col(2), normal);
-    return {.rotation = turn.toRotationMatrix() * from.rotation, .position = on.position};
+    const auto normal = mean_normal(inputs.organ, on.position, on.facet, 2 * inputs.tool.radius);
+    if (!normal) return std::nullopt;
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(from.rotation.col(2), *normal);
+    return Pose{.rotation = turn.toRotationMatrix() * from.rotation, .position = on.position};
 }
 
 bool follows(const Pose& from, const Pose& to) {
@@ -35,13 +36,12 @@ std::optional<std::vector<Pose>> surface_way(const SceneInputs& inputs, const Po
     std::vector<Pose> way;
     Pose at = start;
     for (double left = length; left > negligible;) {
-        Pose next = step_ahead(inputs, at);
-        if (!follows(at, next)) return std::nullopt;
-        const double advance = (next.position - at.position).norm();
-        if (advance > left) next = between(at, next, left / advance);
+        const std::optional<Pose> next = step_ahead(inputs, at);
+        if (!next || !follows(at, *next)) return std::nullopt;
+        const double advance = (next->position - at.position).norm();
+        at = advance > left ? between(at, *next, left / advance) : *next;
         left -= advance;
-        way.push_back(next);
-        at = next;
+        way.push_back(at);
     }
     return way;
 }

@@ -94,7 +94,7 @@ class Bench(ProgramTest):
             ("--size is for an organ from a mesh file", "--organ", "sphere@10mm", "--size", 10),
             ('did you mean "nearest-face"?', "--organ", "sphere@10mm", "--strategy", "nearest-fase"),
             ("prism-1", "--organ", "sphere@10mm", "--tool", "prism-1"),
-            ("the tool does not meet the organ; how large", "--organ", small),
+            ('use a larger organ (its "size")', "--organ", small),
             ("--steps", "--steps", 0),
         ):
             with self.subTest(message):

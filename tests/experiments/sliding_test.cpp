@@ -96,7 +96,7 @@ TEST_P(SlidingOn, StaysUprightThreeMillimetresBelowTheSurfaceForThirtyMillimetre
             const SurfacePoint under = stage().queries.closest(on, 0);
             // Between two points of the way a chord of a millimetre, across the edges and corners there.
             EXPECT_LT((under.position - on).norm(), 0.3);
-            const Vec3 normal = mean_normal(stage().organ, under.position, under.facet, 8);
+            const Vec3 normal = mean_normal(stage().organ, under.position, under.facet, 8).value();
             // The mean leaps a little where facets come into its circle and go.
             EXPECT_GT(normal.dot(axis(slide.poses[k])), std::cos(10 * degree)) << "upright";
         }
