@@ -12,6 +12,7 @@ import { caseList } from "./case/case_list";
 import { rerunArguments, shellText, sweepFile, UNKNOWN } from "./case/command";
 import { seriesPanel, type SeriesPanel } from "./case/series_panel";
 import { siblingsOf } from "./case/siblings";
+import { copyButton } from "./copyable";
 
 /** @param asked the case's id or how it begins; "" for a list of all */
 export function caseView(page: Page, asked: string): View {
@@ -132,16 +133,6 @@ function command(page: Page, row: number): HTMLElement {
   const { report, cases } = page;
   const line = String(provenanceOf(page, row)?.argv ?? "");
   const text = shellText(rerunArguments(report, cases, row, line));
-  const said = h("span", { role: "status" });
-  const copy = async () => {
-    try {
-      await navigator.clipboard.writeText(text);
-      said.textContent = "copied";
-    } catch {
-      getSelection()?.selectAllChildren(code);
-      said.textContent = "selected: copy it with Ctrl+C";
-    }
-  };
   const breaks = text.split(/ (?=-)/); // a line ends in front of an option, not within it
   const code = h("code", { class: "command" }, ...breaks.flatMap((word, k) => [k ? " " : "", h("span", { class: "word" }, word)]));
   const file = sweepFile(line);
@@ -152,7 +143,7 @@ function command(page: Page, row: number): HTMLElement {
   return h(
     "div",
     {},
-    h("div", { class: "command-line" }, code, h("button", { type: "button", class: "plain", click: () => void copy() }, "Copy"), said),
+    h("div", { class: "command-line" }, code, ...copyButton(text, code, "the command")),
     h("p", { class: "chart-note" }, `${where} Add --replay to record it. `, ...(report.sweepToml ? [h("button", { type: "button", class: "plain", click: save }, file ? "Save the sweep file" : "Save its sweeps")] : [])),
   );
 }
